@@ -38,23 +38,26 @@ using hal::robot::agent::StopSource;
 using hal::robot::platform::EventLoop;
 
 constexpr std::uint64_t kOnlyRun = 1;
-/// How long the wheels may take to confirm that they stand, and then the controller to say goodbye.
+/// Maximum time for the wheels to confirm that they stand, and then for the controller to end.
 constexpr hal::Duration kStopPatience = 500ms, kFarewell = 1s;
-/// How often a controller in another container is checked for being silent: it has no descriptor.
+/// Period in which a controller in another container is checked for silence: it has no descriptor.
 constexpr hal::Duration kAttendEvery = 200ms;
-/// A loop that hangs longer drives no robot, however patient the file is with its controller.
+/// A loop that hangs longer must not drive a robot, however long the file lets it wait for its
+/// controller.
 constexpr hal::Duration kLongestHang = 400ms;
 
 RobotFile load(const AgentdOptions& options) {
   RobotFile file = RobotFile::load(options.file, options.overrides);
   for (const std::string& warning : file.warnings) hal::print_line(hal::Tone::kWarning, warning);
   require_air_interface(file);
-  // Others remember the numbers of this node's packets for a while, also when it restarts.
+  // Other nodes remember the sequence numbers of this node's packets for a while, also when it
+  // restarts.
   file.routing.first_sequence = std::random_device{}() >> 1U;
   return file;
 }
 
-/// Fast DDS would go without topics, and without that of the emergency stop.
+/// Checked here because Fast DDS would continue without topics, including that of the emergency
+/// stop.
 std::string address_for_topics(const AgentdOptions& options) {
   try {
     hal::robot::radio::require_address(options.inspect_address);
@@ -64,7 +67,7 @@ std::string address_for_topics(const AgentdOptions& options) {
   return options.inspect_address;
 }
 
-/// Motes have nothing to be stopped.
+/// Motes have nothing that could be stopped.
 EmergencyLatch latch_for(const RobotFile& file, const AgentdOptions& options) {
   if (file.wheels == nullptr) return {};
   if (options.remembers) {
@@ -76,8 +79,8 @@ EmergencyLatch latch_for(const RobotFile& file, const AgentdOptions& options) {
   return {};
 }
 
-/// Everything of one agent, in the order in which it has to be made. What holds threads comes after
-/// the loop has taken the signals.
+/// All parts of one agent, in the order in which they must be made. Parts with threads are made
+/// after the loop has taken over the signals.
 class Agentd {
  public:
   explicit Agentd(const AgentdOptions& options);
@@ -117,12 +120,12 @@ class Agentd {
   hal::robot::radio::UdpLink link_;
   AgentInspection inspection_;
   hal::robot::agent::HardwareAgent agent_;
-  std::optional<hal::robot::agent::LoopWatch> loop_watch_;  ///< None without wheels.
+  std::optional<hal::robot::agent::LoopWatch> loop_watch_;  ///< None if there are no wheels.
   std::mutex latch_mutex_;
   std::optional<gateway::inspection::EmergencyStopReader> emergency_stop_;
   std::optional<hal::robot::platform::SignalThread> stop_signals_;
   std::optional<gateway::server::AgentServer> server_;
-  std::vector<EventLoop::Watch> watches_;  ///< Of the server's descriptors.
+  std::vector<EventLoop::Watch> watches_;  ///< Watches of the server's descriptors.
   std::optional<Readiness> readiness_;
   int signals_to_end_ = 0;
 };
@@ -147,7 +150,7 @@ Agentd::Agentd(const AgentdOptions& options)
       inspection_(file_),
       agent_(file_, {loop_, link_, devices(), inspection_}) {
   stop_as_before();
-  // Only now: either may change what is latched.
+  // Not earlier: both can change the latched state.
   emergency_stop_.emplace(participant_, file_.name,
                           [this](bool stop) { set_emergency_stop(stop, StopSource::kTopic); });
   stop_signals_.emplace({SIGUSR1, SIGUSR2}, [this](int signal) { on_stop_signal(signal); });
@@ -175,7 +178,8 @@ void Agentd::stop_as_before() {
                     latch_.file().string());
 }
 
-/// By what is built in. Before the server asks what there is to be driven: nothing is left then.
+/// Connects the built-in controller. Before the server asks which agents need a controller, so that
+/// none is left.
 void Agentd::drive_here() {
   hal::Wants wants;
   if (infrared_) wants.channels.emplace_back("infrared");
@@ -190,7 +194,7 @@ void Agentd::drive_here() {
 /// Any thread.
 void Agentd::set_emergency_stop(bool stop, StopSource source) {
   agent_.set_emergency_stop(stop, source);
-  const std::lock_guard lock(latch_mutex_);  // The one that comes last writes how it is.
+  const std::lock_guard lock(latch_mutex_);  // the last thread to come writes the current state
   latch_.set(agent_.is_emergency_stopped());
 }
 
@@ -219,7 +223,7 @@ void Agentd::print_ready() const {
   notify_service_manager("READY=1\nSTATUS=serving");
 }
 
-/// On a thread of its own.
+/// Runs on a thread of its own.
 void Agentd::on_stop_signal(int signal) {
   if (signal == SIGUSR2) emergency_stop_->release();
   set_emergency_stop(signal == SIGUSR1, StopSource::kOperator);
@@ -230,7 +234,7 @@ void Agentd::on_end_signal() {
   stop();
 }
 
-/// The wheels first. Then the controller may say goodbye.
+/// Stops the wheels first. Then the controller may end.
 void Agentd::stop() {
   agent_.stop();
   if (wheels_) {

@@ -21,7 +21,7 @@ constexpr const char* kWhatToDo =
     "an emergency stop would be forgotten when the daemon restarts; name a folder with --state, or "
     "do without by --no-state";
 
-/// Empty: the variable names no folder. Before there are threads.
+/// Empty: the variable names no absolute folder. Call it before there are threads.
 fs::path folder_in(const char* variable) {
   const char* const value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe)
   std::string_view text = value == nullptr ? "" : value;
@@ -32,7 +32,8 @@ fs::path folder_in(const char* variable) {
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-/// What a file system keeps in its memory is lost with the battery.
+/// Writes a file or folder to the disk: what the file system only has in memory is lost when the
+/// battery is.
 std::error_code sync(const fs::path& path, int flags) {
   const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC, 0644);
   if (descriptor < 0) return last_error();
@@ -74,7 +75,7 @@ EmergencyLatch::EmergencyLatch(const std::string& agent, const fs::path& folder)
 
 bool EmergencyLatch::is_set() const {
   if (file_.empty()) return false;
-  // The entry counts, also a link that leads nowhere, and also one that cannot be looked at.
+  // The entry counts, even if it is a broken link or cannot be inspected.
   std::error_code error;
   return fs::symlink_status(file_, error).type() != fs::file_type::not_found;
 }

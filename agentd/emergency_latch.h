@@ -6,23 +6,23 @@
 
 namespace agentd {
 
-/// Where daemons keep what must outlive them: the folder that a service manager keeps for it
+/// Folder for state that must survive a restart: the folder from the service manager
 /// (STATE_DIRECTORY, systemd.exec(5)), else baraka in XDG_STATE_HOME, else ~/.local/state/baraka
 /// (XDG Base Directory Specification 0.8). @throws UsageError  if the environment names none.
 std::filesystem::path default_state_folder();
 
-/// Remembers the emergency stop of an agent over a restart of its daemon, and of the computer: a
+/// Remembers the emergency stop of an agent over a restart of its daemon and of the computer, by a
 /// file in a folder.
 class EmergencyLatch {
  public:
   /// Remembers nothing.
   EmergencyLatch() = default;
-  /// Makes the folder. @throws UsageError  if nothing can be written there: a stop would be
-  ///   forgotten in silence.
+  /// Makes the folder. @throws UsageError  if it cannot be written: a stop would be forgotten
+  /// without notice.
   EmergencyLatch(const std::string& agent, const std::filesystem::path& folder);
 
   bool is_set() const;
-  /// Any thread. Failures are logged: the wheels come first.
+  /// Any thread. Errors are only logged, because stopping the wheels is more important.
   void set(bool stopped) const;
 
   /// Empty: nothing is remembered.

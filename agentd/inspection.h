@@ -14,7 +14,7 @@
 
 namespace agentd {
 
-/// Pose from a DDS topic.
+/// A source of poses from a DDS topic.
 class TopicPose final : public hal::robot::agent::PoseSource {
  public:
   /// @param participant  outlives this object.  @throws std::runtime_error  if DDS makes no reader.
@@ -23,20 +23,20 @@ class TopicPose final : public hal::robot::agent::PoseSource {
   hal::Result<hal::robot::agent::PoseFix> pose() const override;
 
  private:
-  mutable std::mutex mutex_;  ///< Of fix_: a thread of DDS writes it.
+  mutable std::mutex mutex_;  ///< Guards fix_, which a thread of DDS writes.
   std::optional<hal::robot::agent::PoseFix> fix_;
   gateway::inspection::PoseReader reader_;
 };
 
-/// Shows a real agent to whoever reads the topics of gateway::inspection::Inspector. As ROS 2
-/// expects of a robot, stamps are the time of day and nobody publishes rt/clock: several robots
-/// share a domain, and programs there have use_sim_time false.
+/// Shows a real agent on the topics of gateway::inspection::Inspector. As ROS 2 expects of a robot,
+/// time stamps are the time of day and nobody publishes rt/clock: several robots share a domain,
+/// and programs there have use_sim_time false.
 class AgentInspection final : public hal::node::agent::AgentObserver {
  public:
   /// @param file  outlives this object.
   explicit AgentInspection(const hal::robot::agent::RobotFile& file) : file_(file) {}
 
-  /// Before this nothing is shown. @param participant  outlives this object.
+  /// Nothing is shown before this call. @param participant  outlives this object.
   /// @throws std::runtime_error  if DDS makes no writer.
   void start(gateway::inspection::InspectionParticipant& participant);
 
@@ -58,8 +58,8 @@ class AgentInspection final : public hal::node::agent::AgentObserver {
 
   const hal::robot::agent::RobotFile& file_;
   std::unique_ptr<gateway::inspection::Inspector> inspector_;  ///< Null until start().
-  /// From the loop's time to that since 1970, UTC; anew in each cycle: the day's clock is
-  /// corrected.
+  /// Difference between the time since 1970, UTC, and the loop's time; updated in each cycle,
+  /// because the clock of the day is corrected.
   hal::Duration to_time_of_day_{};
 };
 

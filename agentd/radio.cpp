@@ -10,7 +10,7 @@
 namespace agentd {
 namespace {
 
-/// @param place  from the command line it names the key itself.
+/// @param place  a position on the command line names the key itself.
 [[noreturn]] void refuse(const std::string& place, const char* key, const std::string& what) {
   const bool is_in_file = !place.starts_with("--set");
   throw hal::files::config::ConfigErrors(

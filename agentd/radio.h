@@ -5,15 +5,16 @@
 
 namespace agentd {
 
-/// The radio that a file asks for.
+/// Opens the radio that a file asks for.
 /// @param file, loop  outlive it.
-/// @throws hal::files::config::ConfigErrors  what this computer does not have, with its place in
-/// the file:
-///   trying again would not help.  @throws std::runtime_error  what may pass: the port is taken.
+/// @throws hal::files::config::ConfigErrors  what this computer does not have, with the position in
+/// the file: trying again would not help.
+/// @throws std::runtime_error  a condition that may be temporary: the port is taken.
 hal::robot::radio::UdpLink open_radio(const hal::robot::agent::RobotFile& file,
                                       hal::robot::platform::EventLoop& loop);
 
-/// That the interface on which a file lets the controller open sockets is there, if it names one.
+/// Checks that the interface on which the file lets the controller open sockets exists, if it names
+/// one.
 /// @throws hal::files::config::ConfigErrors
 void require_air_interface(const hal::robot::agent::RobotFile& file);
 

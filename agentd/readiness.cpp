@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 using hal::robot::agent::SilentDevice;
 
 constexpr hal::Duration kLookEvery = 20ms;
-/// Devices that are there answer sooner: nobody needs to hear that they were waited for.
+/// Devices that are present answer sooner, so that no message about waiting is needed.
 constexpr hal::Duration kFirstWord = 1s;
 constexpr hal::Duration kSayEvery = 5s;
 

@@ -9,16 +9,16 @@
 
 namespace agentd {
 
-/// Waits until every device of an agent has answered, and meanwhile says what it waits for, in the
-/// log and to the service manager: after a second, then every five. In the loop.
+/// Waits until every device of an agent has answered. Meanwhile it reports what it waits for, to
+/// the log and to the service manager: after one second, then every five. Runs in the loop.
 class Readiness {
  public:
   using Silent = std::function<std::vector<hal::robot::agent::SilentDevice>()>;
 
-  /// @param agent     its name, for the log.
-  /// @param silent    what does not answer now.
-  /// @param on_ready  called once, from the constructor if nothing is silent.  All and the loop
-  ///   outlive this object.
+  /// @param agent  its name, for the log.
+  /// @param silent  returns the devices that do not answer now.
+  /// @param on_ready  called once; from the constructor if no device is silent. All arguments and
+  /// the loop outlive this object.
   Readiness(hal::robot::platform::EventLoop& loop, std::string agent, Silent silent,
             std::function<void()> on_ready);
   ~Readiness() { loop_.cancel(timer_); }

@@ -32,9 +32,10 @@ std::optional<sockaddr_in> name_of_socket(int descriptor) {
   return name;
 }
 
-/// A UDP socket of 127.0.0.1 at a port where no server is looked for.
+/// A UDP socket on 127.0.0.1 whose port is not the discovery port of a server.
 process::OwnedDescriptor loopback_socket(std::uint16_t& port) {
-  std::vector<process::OwnedDescriptor> refused;  // held, so that each try gets another port
+  // kept open, so that each attempt gets another port
+  std::vector<process::OwnedDescriptor> refused;
   while (true) {
     process::OwnedDescriptor udp(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
     sockaddr_in address{};
@@ -45,7 +46,7 @@ process::OwnedDescriptor loopback_socket(std::uint16_t& port) {
       fail_inviting("a UDP port of 127.0.0.1");
     }
     port = ntohs(name_of_socket(udp.number()).value().sin_port);
-    // As much as the system grants.
+    // The system may limit the size.
     setsockopt(udp.number(), SOL_SOCKET, SO_RCVBUF, &kHandedBuffer, sizeof(kHandedBuffer));
     setsockopt(udp.number(), SOL_SOCKET, SO_SNDBUF, &kHandedBuffer, sizeof(kHandedBuffer));
     if (!process::may_be_a_servers(port)) return udp;
@@ -76,7 +77,7 @@ Invited invite(std::uint16_t host) {
   process::OwnedDescriptor own(ends[0]), guests(ends[1]);
   const int on = 1;
   setsockopt(own.number(), SOL_SOCKET, SO_PASSCRED, &on, sizeof(on));
-  // Whoever starts the process may give the descriptors other numbers: inodes tell them.
+  // Whoever starts the process may renumber the descriptors, so they are identified by inodes.
   std::string variable =
       fmt::format("{} {} {} {}", inode_of(metatraffic), inode_of(data), inode_of(guests), host);
   return {

@@ -21,7 +21,8 @@ namespace gateway::domain {
 ///   … start the process with invited.invitation.descriptors() open, under whatever numbers, and
 ///     with invited.invitation.variable() in its environment …
 ///
-/// The copies of this process close with the object: not before the process has its own.
+/// Destroying the object closes this process's copies of the descriptors: keep it until the process
+/// has its own.
 class Invitation {
  public:
   Invitation(process::OwnedDescriptor metatraffic, process::OwnedDescriptor data,
@@ -41,11 +42,13 @@ class Invitation {
   std::string variable_;
 };
 
-/// The invited process, as the inviting one sees it. It exists while that one serves it: the end of
-/// the channel tells the invited process that the other one has ended. One thread.
+/// The invited process, as seen by the inviting one. Keep it while serving that process: its
+/// destruction closes the channel, which tells the invited process that the server has ended. One
+/// thread.
 class Guest {
  public:
-  /// @param channel  of SO_PASSCRED.   @param port  UDP, from which the process speaks.
+  /// @param channel  a socket with SO_PASSCRED.   @param port  UDP port from which the process
+  /// sends.
   Guest(process::OwnedDescriptor channel, std::uint16_t port)
       : channel_(std::move(channel)), port_(port) {}
 
@@ -60,7 +63,7 @@ class Guest {
 
   process::OwnedDescriptor channel_;
   std::uint16_t port_;
-  std::string instance_;  ///< Empty: it has not been heard.
+  std::string instance_;  ///< Empty: it has not announced itself yet.
   process::ProcessIdentity identity_;
 };
 
@@ -69,8 +72,8 @@ struct Invited {
   Guest guest;
 };
 
-/// Makes the sockets. The process will accept data of this one only.
-/// @param host  UDP port from which this one sends on 127.0.0.1: of a SendingSocket.
+/// Creates the sockets. The process will accept data only from this one.
+/// @param host  UDP port on 127.0.0.1 from which this process sends, that of a SendingSocket.
 /// @throws std::runtime_error  no port or no descriptor is left.
 Invited invite(std::uint16_t host);
 

@@ -31,7 +31,7 @@ void take_over_library_log() {
 }
 
 std::string last_words_of_library() {
-  guard::api::Log::Flush();  // it is written by a thread of its own
+  guard::api::Log::Flush();  // a separate thread writes the log
   const std::lock_guard lock(log_mutex);
   return last_words.empty() ? std::string() : fmt::format(" (Fast DDS: {})", last_words);
 }

@@ -23,30 +23,33 @@ namespace gateway::domain {
 namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
-/// A controller that starts first looks for servers this often.
+/// Period in which a controller that was started first looks for servers.
 constexpr hal::Duration kAnnouncementPeriod = std::chrono::milliseconds{500};
-/// Only after this does DDS forget a peer that fell silent. Long, so that a process that a debugger
-/// holds is still known when it goes on.
+/// Time after which DDS forgets a silent peer. It is long, so that a process that was stopped by a
+/// debugger is still known when it continues.
 constexpr hal::Duration kParticipantLease = std::chrono::hours{1};
 constexpr hal::Duration kHeartbeatPeriod = std::chrono::milliseconds{20};
-/// Of what everybody reads: each heartbeat of a server goes to every controller, and each answers.
+/// For topics that everybody reads: each heartbeat of a server goes to every controller, and each
+/// controller answers.
 constexpr hal::Duration kSharedHeartbeatPeriod = std::chrono::milliseconds{200};
-/// How long a writer ignores requests for a sample that it has just sent. Longer than an exchange.
+/// Time in which a writer ignores requests for a sample that it has just sent. Longer than an
+/// exchange.
 constexpr hal::Duration kNackSuppression = std::chrono::milliseconds{10};
-/// A reader asks a writer that it has just met what there is, again and again until it hears from
-/// it. With 0 that is without a pause, and the readers of many processes then keep the writer from
+/// A reader asks a newly discovered writer for its samples repeatedly, until it hears from it. With
+/// 0 there is no pause in between, and the readers of many processes then keep the writer from
 /// answering (measured: 100 processes took 13 s to start).
 constexpr hal::Duration kFirstAcknack = std::chrono::milliseconds{50};
 constexpr std::uint32_t kSocketBuffer = 4U << 20U;
 
-/// Once per process, before the first participant.
+/// Called once per process, before the first participant.
 void configure_library() {
   take_over_library_log();
-  // Two participants in one process talk like those in two: tests then test the real path.
+  // Two participants in one process communicate like those in two processes, so that tests cover
+  // the real path.
   eprosima::fastrtps::LibrarySettingsAttributes settings;
   settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
   eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-  // Without this, profiles that the user names (security) would be ignored.
+  // Without this, profiles that the user specifies (security) would be ignored.
   guard::api::DomainParticipantFactory::get_instance()->load_profiles();
 }
 
@@ -63,7 +66,7 @@ int next_participant_id() {
   return next_id++;
 }
 
-/// Where the server at a place of a domain is discovered.
+/// Address at which the server at a place of a domain is discovered.
 guard::rtps::Locator_t discovery_locator(int domain, int place) {
   return locator_of(process::discovery_port(domain, place));
 }
@@ -94,7 +97,7 @@ guard::api::DomainParticipantQos qos_over(
   return qos;
 }
 
-/// The filter of one in the star. @throws NoSuchUser
+/// The filter of a participant in the star. @throws NoSuchUser
 std::shared_ptr<guard::DatagramFilter> filter_of_star() {
   return std::make_shared<guard::DatagramFilter>(
       guard::DatagramFilter::Settings{.networks = guard::networks_of({kLoopback}),
@@ -102,8 +105,8 @@ std::shared_ptr<guard::DatagramFilter> filter_of_star() {
                                       .trust = guard::Trust::of_environment()});
 }
 
-/// The filter of a process that was invited: whoever else is on that loopback interface is none of
-/// its business.
+/// The filter of an invited process: it accepts only the process that invited it, whoever else uses
+/// that loopback interface.
 std::shared_ptr<guard::DatagramFilter> filter_for(const guard::HandedSockets& handed) {
   constexpr std::uint32_t kWhole = 0xffffffff;
   return std::make_shared<guard::DatagramFilter>(guard::DatagramFilter::Settings{
@@ -118,8 +121,8 @@ void join_star(guard::api::DomainParticipantQos& qos, const guard::rtps::Locator
   builtin.discovery_config.leaseDuration_announcementperiod = guard::to_dds(kAnnouncementPeriod);
 }
 
-/// Fast DDS makes GUIDs of the addresses of a host, which may be those of another namespace, too,
-/// and of a pid, which is one of the process's own namespace.
+/// A random GUID prefix. Fast DDS derives GUIDs from the addresses of a host, which can be the same
+/// in another network namespace, and from the pid in the process's own namespace.
 guard::rtps::GuidPrefix_t random_prefix() {
   guard::rtps::GuidPrefix_t prefix;
   if (getrandom(prefix.value, sizeof(prefix.value), 0) != sizeof(prefix.value)) {
@@ -169,7 +172,8 @@ Participant Participant::controller(int domain, const guard::HandedSockets* hand
   const auto sender = handed != nullptr ? nullptr : std::make_shared<guard::SendingSocket>();
   guard::api::DomainParticipantQos qos = qos_over(transport, next_participant_id(), filter, sender);
   if (handed != nullptr) qos.wire_protocol().prefix = random_prefix();
-  // Any free ports: those of the ids of a domain would do for 112 controllers.
+  // Any free ports: the ports of the participant ids of a domain would suffice for only 112
+  // controllers.
   join_star(qos, locator_of(handed != nullptr ? handed->metatraffic.port : process::free_port()));
   qos.wire_protocol().default_unicast_locator_list.push_back(
       locator_of(handed != nullptr ? handed->data.port : process::free_port()));
@@ -187,7 +191,7 @@ Participant Participant::controller(int domain, const guard::HandedSockets* hand
 Participant Participant::inspection(int domain, const std::vector<std::string>& addresses,
                                     const std::string& name,
                                     guard::api::DomainParticipantListener* listener) {
-  // Not on the ports of a server's places: controllers would find it there.
+  // Not on the ports of the servers' places, where controllers would discover it.
   const auto filter = std::make_shared<guard::DatagramFilter>(
       guard::DatagramFilter::Settings{.networks = guard::networks_of(addresses), .is_star = false});
   guard::api::DomainParticipantQos qos = qos_over(udp_on(addresses), next_participant_id(), filter);
@@ -228,7 +232,7 @@ Participant::~Participant() {
 
 guard::api::Topic* Participant::add_topic(const std::string& name,
                                           const guard::api::TypeSupport& type) {
-  // A peer of this version crashes when it is told a type with a sequence of structures.
+  // A peer of this version crashes when it receives a type with a sequence of structures.
   type->auto_fill_type_object(false);
   type->auto_fill_type_information(false);
   guard::api::Topic* topic = nullptr;
@@ -245,9 +249,9 @@ guard::api::DataWriterQos writer_qos(Presence presence) {
   guard::api::DataWriterQos qos = guard::api::DATAWRITER_QOS_DEFAULT;
   set_common_qos(qos, presence, kMaxWritten);
   qos.publish_mode().kind = guard::api::SYNCHRONOUS_PUBLISH_MODE;
-  // With every sample, a heartbeat and the end of NACK suppression (0 by default) would each wake
-  // up the timer threads: measured 13 context switches and 120 us per exchange, without 6 and 72
-  // us.
+  // Otherwise, with every sample a heartbeat and the end of NACK suppression (0 by default) would
+  // each wake up the timer threads: measured 13 context switches and 120 us per exchange, without
+  // them 6 and 72 us.
   qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
   qos.reliable_writer_qos().times.nackSupressionDuration = guard::to_dds(kNackSuppression);
   qos.reliable_writer_qos().times.initialHeartbeatDelay = guard::to_dds(hal::Duration::zero());

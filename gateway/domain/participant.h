@@ -25,13 +25,14 @@ class Participant {
   /// @throws std::runtime_error  if DDS cannot be opened, e.g. because the port is taken.
   /// @throws NoSuchUser  of BARAKA_TRUST; controller() likewise.
   static Participant server(int domain, int place);
-  /// @param handed  sockets of another network namespace, and the only process to communicate with;
-  ///   outlives it. Null: sockets of its own.
+  /// @param handed  sockets of another network namespace, with the only process to communicate
+  /// with; outlives it. Null: the participant opens its own sockets.
   static Participant controller(int domain, const guard::HandedSockets* handed = nullptr);
   /// Outside the star: ordinary discovery by multicast, for standard tools.
-  /// @param addresses  IPv4, of the interfaces to use.  @param name  for people.
-  /// @param listener  told of the endpoints of others; may be null.
-  /// @throws std::runtime_error
+  /// @param addresses  IPv4 addresses of the interfaces to use.
+  /// @param name  name of the participant, for display.
+  /// @param listener  notified of the endpoints of others; may be null.
+  /// @throws std::runtime_error  as server().
   static Participant inspection(int domain, const std::vector<std::string>& addresses,
                                 const std::string& name,
                                 guard::api::DomainParticipantListener* listener = nullptr);
@@ -41,8 +42,8 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
   Participant& operator=(Participant&&) = delete;
 
-  /// A topic of a type; no two endpoints of a participant share one.
-  /// @throws std::runtime_error
+  /// Creates a topic of a type; no two endpoints of a participant share one.
+  /// @throws std::runtime_error  Fast DDS refuses the type or the topic.
   guard::api::Topic* add_topic(const std::string& name, const guard::api::TypeSupport& type);
   void remove_topic(guard::api::Topic* topic);
 
@@ -73,17 +74,18 @@ class Participant {
 inline constexpr hal::Duration kLivelinessLease = std::chrono::milliseconds{1500};
 inline constexpr hal::Duration kLivelinessPeriod = std::chrono::milliseconds{300};
 
-/// Most samples that wait for a reader in this process.
+/// Maximum number of samples that wait for a reader in this process.
 inline constexpr std::int32_t kMaxInstances = 4096;
-/// Most writers' last samples that a reader of DDS keeps. Those whose writers are gone make room;
-/// those behind a lost one do not, which a participant that is not heard any more never repairs.
+/// Maximum number of writers whose last samples a DDS reader keeps. Samples of writers that have
+/// left are removed if there is no room. Samples that follow a lost one are not removed if their
+/// participant is no longer heard, because the loss is never repaired.
 inline constexpr std::int32_t kMaxRead = 1 << 16;
-/// The same of a writer. Those that were disposed of stay until every reader knows, also those of
-/// processes that were killed, which DDS forgets late.
+/// The same for a writer. Disposed instances are kept until every reader knows about it, including
+/// readers in killed processes, which DDS forgets late.
 inline constexpr std::int32_t kMaxWritten = 1 << 20;
 
-/// Whether the readers of a topic notice the silence of its writers. Not for what is written often:
-/// every sample would wake up the thread that keeps the time of the lease (measured: 3 of 13
+/// Whether the readers of a topic notice that its writers are silent. Not for topics that are
+/// written often: every sample would wake up the thread that watches the lease (measured: 3 of 13
 /// context switches per exchange).
 enum class Presence { kWatched, kIgnored };
 

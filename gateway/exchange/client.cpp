@@ -68,11 +68,11 @@ class Client::Implementation {
   std::optional<Writer<wire::Reply>> replies_;
 
  private:
-  /// A server that granted agents.
+  /// A server that has granted agents.
   struct Granted {
     std::uint64_t run = 0;
     Origin origin;
-    std::set<std::string> agents;  ///< Their names.
+    std::set<std::string> agents;  ///< Names of the agents.
     std::unique_ptr<process::ProcessWatch> watch;
     bool gone = false;
     Answerer answerer{};
@@ -94,17 +94,17 @@ class Client::Implementation {
                const std::vector<Origin>& silent) const;
   bool wait(hal::Duration timeout);
 
-  /// Guards what the thread that receives Steps looks at. That thread holds locks of DDS when it
-  /// takes this one: nothing of DDS but the writing of Replies is called with it.
+  /// Guards what the thread that receives Steps reads. That thread holds locks of DDS when it takes
+  /// this mutex, so no function of DDS is called with it except to write Replies.
   std::mutex mutex_;
-  std::map<std::string, Granted> granted_;         ///< Changed by the thread of next() only.
+  std::map<std::string, Granted> granted_;         ///< Changed only by the thread of next().
   std::deque<hal::node::exchange::Step> waiting_;  ///< Steps for next().
-  hal::node::exchange::Step step_;  ///< The last one that came; its memory is used again.
-  /// Guards the Reply that was written last, whose memory is used again.
+  hal::node::exchange::Step step_;                 ///< The latest Step; its memory is reused.
+  /// Guards the latest Reply, whose memory is reused.
   std::mutex reply_mutex_;
   wire::Reply reply_;
   std::mutex strangers_mutex_;
-  std::set<hal::rtps::GuidPrefix> strangers_;  ///< That were complained of.
+  std::set<hal::rtps::GuidPrefix> strangers_;  ///< Participants that were complained about.
   std::optional<HandlingReader<wire::Step>> steps_;
 };
 
@@ -140,8 +140,8 @@ std::optional<hal::node::exchange::Session> Client::Implementation::take_session
     if (!session || !is_good(*session, from_wire(sample->identity()))) continue;
     if (!session->refusal.empty()) return std::move(*session);
     const auto known = granted_.find(session->server);
-    if (known != granted_.end() && known->second.run == session->run) continue;  // Sent twice.
-    // Only now: until a server has agreed to it, another process may use these topics.
+    if (known != granted_.end() && known->second.run == session->run) continue;  // sent twice
+    // Not earlier: until a server has granted agents, another process may use these topics.
     if (!replies_) replies_.emplace(participant_, reply_topic(hello_.process));
     auto watch = watch_of(*sample);
     {
@@ -159,7 +159,7 @@ std::optional<hal::node::exchange::Session> Client::Implementation::take_session
   return std::nullopt;
 }
 
-/// Of the server. A guest does not know it by its pid.
+/// A watch of the server's process. A guest does not know the server's pid.
 std::unique_ptr<process::ProcessWatch> Client::Implementation::watch_of(
     const wire::Session& session) const {
   if (handed_) return std::make_unique<process::ProcessWatch>(handed_->channel.number());
@@ -174,7 +174,7 @@ std::optional<hal::node::exchange::Step> Client::Implementation::take_step() {
   return step;
 }
 
-/// Whether a Session is from the server that it names, as far as that can be known.
+/// Whether a Session comes from the server that it names, as far as this can be checked.
 bool Client::Implementation::is_good(const hal::node::exchange::Session& session,
                                      const process::ProcessIdentity& server) {
   const Origin& origin = sessions_.origin();
@@ -194,21 +194,21 @@ bool Client::Implementation::is_good(const hal::node::exchange::Session& session
   return false;
 }
 
-/// Whether another server, which is still there, has granted an agent of a Session. Different
-/// agents may have different servers.
+/// Whether another server, which is still present, has granted one of the Session's agents.
+/// Different agents may have different servers.
 bool Client::Implementation::is_of_rival(const hal::node::exchange::Session& session) const {
   const std::set<std::string> names = names_in(session);
   return std::ranges::any_of(granted_, [&](const auto& entry) {
     const Granted& server = entry.second;
-    // A server that ended and began anew within its process is the same participant.
+    // A server that ended and was started again in the same process is the same participant.
     return participant_of(server.origin) != participant_of(sessions_.origin()) &&
            std::ranges::any_of(names, [&](const auto& n) { return server.agents.contains(n); }) &&
            speaks(server);
   });
 }
 
-/// Whether a server has the port it was heard from. One that was killed has not, before anything
-/// else tells so.
+/// Whether a server still owns the port from which it was heard. A killed server does not, which is
+/// known here earlier than by other means.
 bool Client::Implementation::speaks(const Granted& server) const {
   if (server.gone || server.watch->is_dead()) return false;
   const auto sender = participant_.filter().sender_of(participant_of(server.origin));
@@ -216,7 +216,7 @@ bool Client::Implementation::speaks(const Granted& server) const {
   return sockets && !sockets->empty();
 }
 
-/// Once of each.
+/// Reports each participant only once.
 void Client::Implementation::complain(const std::string& what, const Origin& origin) {
   constexpr std::size_t kMost = 100;
   const hal::rtps::GuidPrefix participant = participant_of(origin);
@@ -240,7 +240,7 @@ void Client::Implementation::take_in(const wire::Step& sample, const Origin& ori
     return;
   }
   if (server->second.answerer) return hand_over(server->second.answerer, step_);
-  // As in DDS itself, the newest win over a reader that cannot keep up.
+  // As in DDS itself, the oldest Steps are dropped if next() cannot keep up.
   if (waiting_.size() == domain::kMaxInstances) waiting_.pop_front();
   waiting_.push_back(step_);
   signal_.raise();
@@ -280,12 +280,12 @@ std::optional<ServerGone> Client::Implementation::take_departure() {
   return departure;
 }
 
-/// The last Reply to a server that is gone is kept for nobody.
+/// Disposes of the last Reply to a server that is gone; nobody needs it.
 void Client::Implementation::forget_reply_to(const std::string& server) {
   if (!replies_) return;
   wire::Reply key;
   key.server(server);
-  // It is not there if no Step came.
+  // It does not exist if no Step came.
   [[maybe_unused]] const bool was_there = replies_->dispose(key);
 }
 
@@ -324,7 +324,7 @@ void Client::answer(const std::string& server, Answerer answerer) {
 
 void Client::withdraw() {
   wire::Hello sample = to_wire(implementation_->hello_);
-  // Refused or not, the process ends.
+  // The process ends in any case.
   [[maybe_unused]] const bool is_disposed = implementation_->hellos_.dispose(sample);
 }
 

@@ -16,9 +16,9 @@ namespace gateway::exchange {
 struct ServerGone {
   std::string server;
 };
-/// Nothing came in time.
+/// Nothing arrived before the timeout.
 struct Silence {};
-/// The function that answers Steps asked for attention.
+/// The function that answers Steps asked to wake up next().
 struct Woken {};
 /// Client::interrupt() was called.
 struct Interrupted {};
@@ -31,8 +31,9 @@ using Arrival = std::variant<hal::node::exchange::Session, hal::node::exchange::
 /// interrupt() and for calls by an Answerer.
 class Client {
  public:
-  /// Completes `hello` with the identity of this process and an instance id, and sends it: over
-  /// the sockets of an Invitation, if the process was started with one, to who invited it.
+  /// Completes `hello` with the identity of this process and an instance id, and sends it. If the
+  /// process was started with an Invitation, it is sent over the sockets of that, to the process
+  /// that made it.
   /// @throws std::runtime_error  if DDS cannot be opened.
   Client(int domain, hal::node::exchange::Hello hello);
   ~Client();
@@ -40,36 +41,37 @@ class Client {
   Client& operator=(const Client&) = delete;
 
   const hal::node::exchange::Hello& hello() const;
-  /// Servers in sight, whether they have answered or not.
+  /// Servers that have been discovered, whether they have answered or not.
   int servers() const;
 
-  /// Waits for what comes next. After a Session that grants agents, Steps of that server and run
-  /// come; Steps of others are dropped. Sessions come before Steps.
-  /// @param timeout  Duration::max(): for ever.
+  /// Waits for the next arrival. After a Session that grants agents, Steps of that server and run
+  /// follow; other Steps are dropped. Sessions come before Steps.
+  /// @param timeout  Duration::max(): no limit.
   Arrival next(hal::Duration timeout);
 
-  /// Answers a Step on the thread that received it, which saves the switch to another one: measured
-  /// 10 to 20 us of an exchange. May call reply(). @returns whether next() is to return Woken.
+  /// Answers a Step on the thread that received it, which saves a thread switch: measured 10 to 20
+  /// us per exchange. May call reply(). @returns whether next() is to return Woken.
   using Answerer = std::function<bool(const hal::node::exchange::Step&)>;
 
-  /// From now on the Steps of a server that has granted agents go to `answerer`, those that have
-  /// arrived before at once and on this thread, and no longer to next(). Calls of all answerers of
-  /// a client exclude each other; none is under way after this returns.
-  /// @param answerer  empty: next() again.
+  /// From now on the Steps of a server that has granted agents go to `answerer` and no longer to
+  /// next(); those that have arrived before go there at once, on this thread. Calls of all
+  /// answerers of a client exclude each other, and none is in progress when this returns.
+  /// @param answerer  empty: Steps go to next() again.
   void answer(const std::string& server, Answerer answerer);
 
-  /// @param server, reply.run, reply.sequence  those of the Step; reply.process is not looked at.
-  /// Errors: kNotConnected (DDS refuses the sample).
+  /// Sends a Reply. @param server, reply.run, reply.sequence  as in the Step; reply.process is
+  /// ignored. Errors: kNotConnected (DDS refuses the sample).
   hal::Result<void> reply(const std::string& server, const hal::node::exchange::Reply& reply);
 
   /// Withdraws the Hello: servers that start from now on do not see it. For a process that is about
-  /// to end, so that no server grants it agents meanwhile.
+  /// to end, so that no server grants it agents in the meantime.
   void withdraw();
 
   /// Waits until every server has the last Reply, up to `timeout`.
   void flush(hal::Duration timeout);
 
-  /// Makes next() return Interrupted, now and for ever. Any thread, also from a signal handler.
+  /// Makes next() return Interrupted, now and in every later call. Any thread, also from a signal
+  /// handler.
   void interrupt() noexcept;
 
  private:

@@ -18,8 +18,8 @@ void complain(const char* program, const std::string& what) {
 
 }  // namespace
 
-/// The program of every controller: controllers/<name> defines baraka_controller() and is linked
-/// with this.
+/// The main program of every controller: controllers/<name> defines baraka_controller() and is
+/// linked with this file.
 int main(int argc, char** argv) {
   try {
     const hal::ControllerKind& kind = *baraka_controller();

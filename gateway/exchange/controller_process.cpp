@@ -27,12 +27,12 @@
 namespace gateway::exchange {
 namespace {
 
-/// How long the last Reply may take to reach the server before the process ends.
+/// Maximum time for the last Reply to reach the server before the process ends.
 constexpr hal::Duration kFlushTimeout = std::chrono::seconds{2};
-/// The same where the thread that would hear of it is the one that waits.
+/// The same if the waiting thread is the one that would receive the acknowledgement.
 constexpr hal::Duration kLinger = std::chrono::milliseconds{300};
 
-/// "; user 997 serves it, …", if another user than this one holds a place of a domain.
+/// "; user 997 serves it, …" if another user than this one holds a place of the domain.
 std::string hint_of_users(int domain) {
   for (const uid_t user : process::users_in(domain)) {
     if (user == geteuid()) continue;
@@ -44,13 +44,13 @@ std::string hint_of_users(int domain) {
   return {};
 }
 
-/// What one server has given this process to do.
+/// The task that one server has given to this process.
 struct Assignment {
-  std::unique_ptr<runtime::ControllerHost> host;  ///< Null: it could not be made …
-  std::string failure;                            ///< … and this is why.
-  std::set<hal::AgentId> running;                 ///< Agents that were not stopped yet.
-  std::uint64_t sequence = 0;                     ///< Of the last Step that was answered …
-  hal::node::exchange::Reply reply;               ///< … and the answer.
+  std::unique_ptr<runtime::ControllerHost> host;  ///< Null: it could not be created.
+  std::string failure;                            ///< Why it could not be created.
+  std::set<hal::AgentId> running;                 ///< Agents that have not been stopped.
+  std::uint64_t sequence = 0;                     ///< Number of the last Step that was answered.
+  hal::node::exchange::Reply reply;               ///< The answer to it.
 };
 
 ///  waiting ──Session──▶ running ──STOP for every agent──▶ done, or waiting again with --stay
@@ -114,12 +114,13 @@ class ControllerProcess {
   hal::Duration patience_;
   std::set<std::string> refusers_;
 
-  /// Guards what follows: Steps are answered on the thread that receives them.
+  /// Guards the members below: Steps are answered on the thread that receives them.
   std::mutex mutex_;
   std::map<std::string, Assignment> assignments_;  ///< By server.
   std::optional<Outcome> outcome_;
-  const hal::node::exchange::Step* step_ = nullptr;  ///< That controllers are working on …
-  runtime::ControllerHost* host_ = nullptr;          ///< … and theirs.
+  /// The Step that controllers are handling; null: none.
+  const hal::node::exchange::Step* step_ = nullptr;
+  runtime::ControllerHost* host_ = nullptr;  ///< The host of these controllers.
 
   const runtime::ExitWatch exit_watch_{
       [this](const runtime::ExitCall& call) { return on_exit_called(call); }};
@@ -181,13 +182,13 @@ void ControllerProcess::refused(const hal::node::exchange::Session& session) {
                               : session.refusal;
   say("refused: {}", reason);
   refusers_.insert(session.server);
-  // Another server of the domain may still have the agents; wait for it, but not for ever.
+  // Another server of the domain may still have the agents: wait for it, but not without limit.
   const bool by_all = static_cast<int>(refusers_.size()) >= client_.servers();
   const std::lock_guard lock(mutex_);
   if (by_all && !options_.stay && !is_running()) outcome_ = Outcome::kRefused;
 }
 
-/// On the thread that receives Steps.
+/// Called on the thread that receives Steps.
 bool ControllerProcess::answer(const hal::node::exchange::Step& step) {
   thread_local const runtime::SignalStack stack;
   const std::lock_guard lock(mutex_);
@@ -199,7 +200,7 @@ void ControllerProcess::work_off(const hal::node::exchange::Step& step) {
   const auto found = assignments_.find(step.server);
   if (found == assignments_.end()) return;
   Assignment& assignment = found->second;
-  if (step.sequence < assignment.sequence) return;  // Delivered late; its answer was received.
+  if (step.sequence < assignment.sequence) return;  // delivered late; its answer was received
   if (step.sequence > assignment.sequence + 1) {
     say("Step {} came after Step {}: events are lost", step.sequence, assignment.sequence);
     outcome_ = Outcome::kFailed;
@@ -236,8 +237,9 @@ hal::node::exchange::Reply ControllerProcess::reply_to(const hal::node::exchange
   return reply;
 }
 
-/// In the middle of exit(), with whatever locks its thread holds: in a callback those of answer()
-/// and of the client. The answer goes out on this thread; that it has arrived cannot be heard here.
+/// Runs within exit(), with all locks that its thread holds; in a callback these are the locks of
+/// answer() and of the client. The answer is sent on this thread, which therefore cannot wait for
+/// its acknowledgement.
 int ControllerProcess::on_exit_called(const runtime::ExitCall& call) {
   say("{}", call.text());
   if (step_ != nullptr) {
@@ -282,7 +284,8 @@ void interrupt_client(int signal) {
   if (Client* client = interrupted_client) client->interrupt();
 }
 
-/// SIGINT and SIGTERM interrupt a client while this exists; the second one is deadly.
+/// While this object exists, SIGINT and SIGTERM interrupt a client; the second signal kills the
+/// process.
 class Interruptible {
  public:
   explicit Interruptible(Client& client) {

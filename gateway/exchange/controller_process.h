@@ -14,17 +14,18 @@ enum class Outcome {
   kInterrupted = 130,  ///< SIGINT or SIGTERM.
 };
 
-/// Runs the controllers of one process until the run ends: Hello, Session, then Step by Step.
-/// With options.stay it then waits for the next run. Says on standard error what goes wrong.
-/// SIGINT and SIGTERM end it; a second one kills a controller that hangs.
+/// Runs the controllers of one process until the run ends: Hello, Session, then one Step after the
+/// other. With options.stay it then waits for the next run. Problems are reported on standard
+/// error. SIGINT and SIGTERM end it; a second one kills a controller that hangs.
 /// @throws std::runtime_error  if DDS cannot be opened.
 Outcome run_controllers(const hal::ControllerKind& kind, const runtime::ControllerOptions& options);
 
-/// The same for a client that has said hello_of(kind, options) already. Leaves signals alone.
+/// The same for a client that has already sent hello_of(kind, options). Does not change signal
+/// handlers.
 Outcome run_controllers(const hal::ControllerKind& kind, const runtime::ControllerOptions& options,
                         Client& client);
 
-/// How a process with these options introduces itself.
+/// The Hello of a process with these options.
 hal::node::exchange::Hello hello_of(const hal::ControllerKind& kind,
                                     const runtime::ControllerOptions& options);
 

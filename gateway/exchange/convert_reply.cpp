@@ -9,12 +9,13 @@ namespace {
 
 static_assert(static_cast<int>(hal::log::Level::kError) == static_cast<int>(wire::LEVEL_ERROR));
 
-/// ActionParts of an action of which there are one or none.
+/// The optional parts of an action.
 struct ActionParts {
   bool drive = false, outgoing = false, value = false;
 };
 
-/// With these parts, in the memory that is there; the rest as it is with kinds that do not use it.
+/// Resizes the parts, reusing their memory; resets the other members to the values that they have
+/// in actions that do not use them.
 void clear(wire::Action& out, const ActionParts& parts) {
   out.drive().resize(parts.drive ? 1 : 0);
   out.outgoing().resize(parts.outgoing ? 1 : 0);
@@ -112,7 +113,7 @@ void to_wire(const hal::node::exchange::Action& action, wire::Action& out) {
   std::visit([&](const auto& what) { to_wire(what, out); }, action.what);
 }
 
-/// Whether there is such a kind, and the action has exactly the parts that it needs.
+/// Whether the kind is known, and the action has exactly the parts that it needs.
 bool is_complete(const wire::Action& action, Ranges& ranges) {
   const wire::ActionKind kind = action.kind();
   const bool has_drive = kind == wire::DRIVE_BODY || kind == wire::DRIVE_WHEELS;

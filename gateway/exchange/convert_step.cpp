@@ -68,7 +68,7 @@ void from_wire(const wire::Neighbour& neighbour, hal::Neighbour& out) {
 void to_wire(hal::AgentId agent, std::uint16_t& out) { out = agent.value; }
 void from_wire(std::uint16_t agent, hal::AgentId& out) { out.value = agent; }
 
-/// Element by element, in the memory that is there.
+/// Converts element by element, reusing the memory of `out`.
 template <class In, class Out>
 void all_to_wire(const std::vector<In>& in, std::vector<Out>& out) {
   out.resize(in.size());
@@ -80,7 +80,7 @@ void all_from_wire(const std::vector<In>& in, std::vector<Out>& out) {
   for (std::size_t i = 0; i < in.size(); ++i) from_wire(in[i], out[i]);
 }
 
-/// What happened. Members that its cause has not are as in a new sample.
+/// Converts the cause of an event. Members that the cause does not use are as in a new sample.
 void to_wire(const hal::node::exchange::Event::What& what, wire::Event& out) {
   const auto* const arrived = std::get_if<hal::node::exchange::MessageArrived>(&what);
   const auto* const due = std::get_if<hal::node::exchange::TimerDue>(&what);

@@ -20,21 +20,21 @@
 
 namespace gateway::exchange {
 
-/// @tparam Wire  generated for a topic. kMostInstances: those that a participant may have of it at
-///   one reader.
+/// @tparam Wire  generated for a topic. kMostInstances: maximum number of instances that one
+/// participant may have at one reader.
 template <class Wire>
 struct PubSubTypeOf;
 template <>
 struct PubSubTypeOf<wire::Hello> {
   using Type = wire::HelloPubSubType;
   static constexpr domain::Presence kPresence = domain::Presence::kWatched;
-  static constexpr std::size_t kMostInstances = 8;  // a controller says one
+  static constexpr std::size_t kMostInstances = 8;  // a controller sends one
 };
 template <>
 struct PubSubTypeOf<wire::Session> {
   using Type = wire::SessionPubSubType;
   static constexpr domain::Presence kPresence = domain::Presence::kWatched;
-  static constexpr std::size_t kMostInstances = domain::kMaxInstances;  // one for each controller
+  static constexpr std::size_t kMostInstances = domain::kMaxInstances;  // one per controller
 };
 template <>
 struct PubSubTypeOf<wire::Step> {
@@ -46,14 +46,14 @@ template <>
 struct PubSubTypeOf<wire::Reply> {
   using Type = wire::ReplyPubSubType;
   static constexpr domain::Presence kPresence = domain::Presence::kIgnored;
-  static constexpr std::size_t kMostInstances = 64;  // one for each server
+  static constexpr std::size_t kMostInstances = 64;  // one per server
 };
 
 /// The writer of a topic, and the topic.
 template <class Wire>
 class Writer {
  public:
-  /// @throws std::runtime_error
+  /// @throws std::runtime_error  Fast DDS refuses the topic or the writer.
   Writer(domain::Participant& participant, const std::string& topic)
       : participant_(participant),
         topic_(participant.add_topic(
@@ -71,20 +71,20 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   [[nodiscard]] bool write(Wire& sample) { return writer_->write(&sample); }
-  /// Later readers do not get the sample's instance any more, and once those here know it is gone
-  /// it takes no room.
+  /// Ends the life of the sample's instance: later readers do not receive it, and when all present
+  /// readers know about it, it needs no memory.
   [[nodiscard]] bool dispose(Wire& sample) {
     return guard::is_ok(writer_->unregister_instance(&sample, guard::rtps::InstanceHandle_t()));
   }
 
-  /// Readers in sight.
+  /// Readers that have been discovered.
   int readers() const {
     guard::api::PublicationMatchedStatus status;
     writer_->get_publication_matched_status(status);
     return status.current_count;
   }
 
-  /// Waits until every reader has the last sample.
+  /// Waits until every reader has received the last sample.
   void flush(hal::Duration timeout) { writer_->wait_for_acknowledgments(guard::to_dds(timeout)); }
 
  private:
@@ -93,7 +93,7 @@ class Writer {
   guard::api::DataWriter* writer_;
 };
 
-/// Notes that writers come and go, and tells a waiting thread.
+/// Records that writers come and go, and wakes up a waiting thread.
 class PresenceListener : public guard::api::DataReaderListener {
  public:
   explicit PresenceListener(process::Signal& signal) : signal_(signal) {}
@@ -110,9 +110,9 @@ class PresenceListener : public guard::api::DataReaderListener {
     if (status.not_alive_count_change > 0) note(silent_, status.last_publication_handle);
   }
 
-  int writers() const { return writers_; }  ///< In sight now.
-  /// Writers that left the domain, and writers that were not heard for kLivelinessLease, since the
-  /// last call.
+  int writers() const { return writers_; }  ///< Writers that are matched now.
+  /// Writers that have left the domain, and writers that were silent for kLivelinessLease, since
+  /// the last call.
   std::vector<Origin> take_left() { return take(left_); }
   std::vector<Origin> take_silent() { return take(silent_); }
 
@@ -137,8 +137,8 @@ class PresenceListener : public guard::api::DataReaderListener {
   std::vector<Origin> left_, silent_;
 };
 
-/// Hands every sample that a reader has to `use(value, info)`, which may move it away.
-/// @param value  each of them in turn.
+/// Calls `use(value, info)` for every sample that a reader has; `use` may move from the value.
+/// @param value  memory for one sample at a time.
 template <class Wire, class Use>
 void take_all(guard::api::DataReader& reader, Quota& quota, Wire& value, const Use& use) {
   guard::api::SampleInfo info;
@@ -169,11 +169,11 @@ class Inbox : public PresenceListener {
     Wire value;
     take_all(*reader, quota_, value, [this](Wire& sample, const guard::api::SampleInfo& info) {
       const std::lock_guard lock(mutex_);
-      // As in DDS itself, the newest win over a reader that cannot keep up.
+      // As in DDS itself, the oldest samples are dropped if a reader cannot keep up.
       if (samples_.size() == kMostWaiting) samples_.pop_front();
       samples_.push_back({std::move(sample), Origin(info.publication_handle)});
     });
-    if (!is_empty()) signal_.raise();  // Else it was told that an instance is disposed of.
+    if (!is_empty()) signal_.raise();  // else only an instance was disposed of
   }
 
   std::optional<Sample> take() {
@@ -199,7 +199,7 @@ class Inbox : public PresenceListener {
 template <class Wire>
 class BareReader {
  public:
-  /// @throws std::runtime_error
+  /// @throws std::runtime_error  Fast DDS refuses the topic or the reader.
   BareReader(domain::Participant& participant, const std::string& topic,
              guard::api::DataReaderListener& listener)
       : participant_(participant),
@@ -223,20 +223,20 @@ class BareReader {
   guard::api::DataReader* reader_;
 };
 
-/// Raises a signal when there is something to do.
+/// A reader that raises a signal when there is something to do.
 template <class Wire>
 class Reader {
  public:
-  /// @throws std::runtime_error
+  /// @throws std::runtime_error  Fast DDS refuses the topic or the reader.
   Reader(domain::Participant& participant, const std::string& topic, process::Signal& signal)
       : inbox_(signal, participant.filter()), reader_(participant, topic, inbox_) {}
 
-  /// The next sample, good until the next call; null if there is none.
+  /// The next sample, valid until the next call; null if there is none.
   const Wire* take() {
     current_ = inbox_.take();
     return current_ ? &current_->value : nullptr;
   }
-  const Origin& origin() const { return current_->origin; }  ///< @pre take() gave a sample.
+  const Origin& origin() const { return current_->origin; }  ///< @pre take() has returned a sample.
   bool is_empty() { return inbox_.is_empty(); }
 
   PresenceListener& presence() { return inbox_; }
@@ -248,13 +248,13 @@ class Reader {
   std::optional<typename Inbox<Wire>::Sample> current_;
 };
 
-/// Hands samples to a function on the thread that receives them, which must not wait for another
-/// one that holds a lock of DDS.
+/// A reader that passes samples to a function on the thread that receives them. The function must
+/// not wait for a thread that holds a lock of DDS.
 template <class Wire>
 class HandlingReader {
  public:
   using Handle = std::function<void(const Wire&, const Origin&)>;
-  /// @throws std::runtime_error
+  /// @throws std::runtime_error  Fast DDS refuses the topic or the reader.
   HandlingReader(domain::Participant& participant, const std::string& topic, Handle handle)
       : listener_(std::move(handle), participant.filter()),
         reader_(participant, topic, listener_) {}
@@ -279,7 +279,7 @@ class HandlingReader {
    private:
     Handle handle_;
     Quota quota_;
-    Wire value_;  ///< The last sample: its memory is used again.
+    Wire value_;  ///< The last sample; its memory is reused.
   };
   Listener listener_;
   BareReader<Wire> reader_;

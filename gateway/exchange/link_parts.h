@@ -14,20 +14,20 @@
 
 namespace gateway::exchange {
 
-/// "baraka/<process>/step" and "baraka/<process>/reply".
+/// Names of topics: "baraka/<process>/step" and "baraka/<process>/reply".
 std::string step_topic(const std::string& process);
 std::string reply_topic(const std::string& process);
 inline constexpr const char* kHelloTopic = "baraka/hello";
 inline constexpr const char* kSessionTopic = "baraka/session";
 
-/// What a link is made from.
+/// What a link is created from.
 struct LinkSettings {
   std::string server;
   hal::node::exchange::Hello hello;
-  hal::rtps::GuidPrefix participant;  ///< Whose Hello it was, and whose Replies count.
+  hal::rtps::GuidPrefix participant;  ///< Sender of the Hello; only its Replies are accepted.
   std::uint64_t run = 0;
   std::optional<hal::Duration> reply_timeout;
-  /// Whether the process was not heard for the liveliness lease. Asked if it is on another host.
+  /// Whether the process has been silent for the liveliness lease. Used if it is on another host.
   std::function<bool()> is_silent;
 };
 
@@ -46,9 +46,9 @@ class ProcessLink::Implementation {
   int death_descriptor() const { return watch_.descriptor(); }
 
  private:
-  /// The Reply that is waited for, if it is there. Drops others.
+  /// The Reply to the current Step, if it has arrived. Other Replies are dropped.
   std::optional<hal::node::exchange::Reply> take_reply();
-  /// Counts it; the first is logged.
+  /// Counts a malformed Reply; the first one is logged.
   void on_malformed(const hal::Error& error);
   bool answers_step(const wire::Reply& reply) const;
   bool is_of_the_process(const Origin& origin);
@@ -62,9 +62,9 @@ class ProcessLink::Implementation {
   process::Signal signal_;
   Writer<wire::Step> steps_;
   Reader<wire::Reply> replies_;
-  wire::Step step_;           ///< The Step under way, as it was written …
-  process::Deadline resend_;  ///< … and when it is written again.
-  hal::Time at_{};            ///< Of the Step under way.
+  wire::Step step_;           ///< The current Step, as it was written.
+  process::Deadline resend_;  ///< When the Step is written again.
+  hal::Time at_{};            ///< Simulated time of the current Step.
   DroppedReplies dropped_;
 };
 

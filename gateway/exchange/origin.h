@@ -12,7 +12,7 @@ namespace gateway::exchange {
 /// The writer that a sample came from: its GUID.
 using Origin = guard::rtps::InstanceHandle_t;
 
-/// Whom the writer belongs to.
+/// The participant of a writer.
 inline hal::rtps::GuidPrefix participant_of(const Origin& origin) {
   hal::rtps::GuidPrefix prefix;
   for (std::size_t i = 0; i < prefix.octets.size(); ++i) {
@@ -21,7 +21,7 @@ inline hal::rtps::GuidPrefix participant_of(const Origin& origin) {
   return prefix;
 }
 
-/// "010f5f9d24b2…": 24 digits, as tools print it.
+/// 24 hexadecimal digits as tools print them: "010f5f9d24b2…".
 std::string text_of(const hal::rtps::GuidPrefix& participant);
 
 }  // namespace gateway::exchange

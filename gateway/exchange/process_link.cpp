@@ -12,11 +12,12 @@
 namespace gateway::exchange {
 namespace {
 
-/// A Step without an answer is written again this often. RELIABLE delivers it the first time; this
-/// is for a process that lost its place in the domain meanwhile, e.g. while a debugger held it.
+/// Period in which an unanswered Step is written again. RELIABLE delivers it the first time; this
+/// is for a process that lost its place in the domain meanwhile, e.g. while a debugger had stopped
+/// it.
 constexpr hal::Duration kResendAfter = std::chrono::seconds{1};
 
-/// How often a process on another host is checked for being silent.
+/// Period in which a process on another host is checked for silence.
 constexpr hal::Duration kCheckSilenceEvery = std::chrono::milliseconds{100};
 
 }  // namespace
@@ -59,7 +60,7 @@ hal::Result<hal::node::exchange::Reply> ProcessLink::Implementation::finish() {
 
 hal::Result<std::optional<hal::node::exchange::Reply>> ProcessLink::Implementation::try_finish() {
   signal_.lower();
-  // The Reply first: a process may end right after its last one.
+  // The Reply first: a process may end immediately after its last one.
   if (auto reply = take_reply()) return reply;
   if (is_dead()) return death();
   if (resend_.has_passed()) {
@@ -76,11 +77,12 @@ void ProcessLink::Implementation::wait(const process::Deadline& deadline) const 
 
 std::optional<hal::node::exchange::Reply> ProcessLink::Implementation::take_reply() {
   while (const wire::Reply* sample = replies_.take()) {
-    // The process may serve other servers, too, and a Reply to one that is gone may still be kept.
+    // The process may serve other servers as well, and a Reply to a server that is gone may still
+    // be kept.
     if (sample->server() != settings_.server) continue;
     if (!is_of_the_process(replies_.origin())) continue;
     if (!answers_step(*sample)) {
-      // The second answer to a Step that was written twice is in order.
+      // A second answer to a Step that was written twice is not an error.
       const bool is_echo = sample->run() == settings_.run &&
                            sample->sequence_number() + 1 == step_.sequence_number();
       dropped_.stale += is_echo ? 0 : 1;

@@ -9,12 +9,12 @@
 
 namespace gateway::exchange {
 
-/// Replies that a link did not hand on.
+/// Replies that a link has dropped.
 struct DroppedReplies {
-  std::uint64_t stale = 0;      ///< An old or unknown sequence number, another run or process.
+  std::uint64_t stale = 0;      ///< Old or unknown sequence number, another run or process.
   std::uint64_t malformed = 0;  ///< See convert.h; the first is logged.
-  std::uint64_t foreign = 0;    ///< Of another participant than the one that was granted agents …
-  std::string first_foreign;    ///< … such as this one.
+  std::uint64_t foreign = 0;    ///< From a participant that was not granted the agents.
+  std::string first_foreign;    ///< The first such participant.
 };
 
 /// The server's end of the exchange with one controller process: topics baraka/<process>/step and
@@ -29,7 +29,7 @@ class ProcessLink : public hal::node::exchange::ControllerPort {
   ~ProcessLink() override;
 
   const std::string& name() const override;
-  /// Steps are numbered 1, 2, 3, … on the wire whatever their own number is; the Reply carries the
+  /// On the wire Steps are numbered 1, 2, 3, … whatever their own numbers are; the Reply has the
   /// number of the Step given here.
   hal::Result<void> begin(const hal::node::exchange::Step& step) override;
   hal::Result<hal::node::exchange::Reply> finish() override;

@@ -28,7 +28,7 @@ bool Quota::admits(const guard::api::SampleInfo& info) {
       own.insert(info.instance_handle);
       return true;
     }
-    // The rest of the datagram under way comes by, too.
+    // The rest of the current datagram still arrives.
     if (!refused_.insert(participant).second) return false;
   }
   const auto sender = filter_.sender_of(participant);

@@ -9,16 +9,17 @@
 
 namespace gateway::exchange {
 
-/// Limit of the instances of a topic that one participant may have at a reader, so that none uses
-/// up the memory of the others: a participant that exceeds it is refused from then on. Any thread.
+/// Limits the number of instances of a topic that one participant may have at a reader, so that no
+/// participant uses up the memory of others. A participant that exceeds the limit is refused from
+/// then on. Any thread.
 class Quota {
  public:
   /// @param most  instances of one participant.
   Quota(guard::DatagramFilter& filter, std::size_t most) : filter_(filter), most_(most) {}
 
-  /// Notes a sample, or that its instance is gone. @return whether to take the sample.
+  /// Notes a sample, or that its instance is gone. @return whether the sample is accepted.
   bool admits(const guard::api::SampleInfo& info);
-  /// A writer is gone, and its instances with it.
+  /// Call when a writer has left: its instances are gone as well.
   void leave(const Origin& writer);
 
  private:

@@ -9,8 +9,8 @@
 
 namespace gateway::exchange {
 
-/// Converts enumerators whose order is the same on both sides, and remembers the first that is out
-/// of range: DDS decodes any number into an enumeration. The same for numbers with a limit.
+/// Converts enumerators whose order is the same on both sides, and remembers the first one that is
+/// out of range: DDS decodes any number as an enumerator. The same for numbers with a limit.
 class Ranges {
  public:
   template <class To, class From>
@@ -45,7 +45,7 @@ class Ranges {
   std::string bad_;
 };
 
-/// What is wrong with one of the parts of a sample. @param part  "event"
+/// The error of one part of a sample. @param part  "event"
 inline tl::unexpected<hal::Error> malformed(std::string_view part, std::size_t index,
                                             std::uint16_t agent, const hal::Error& error) {
   return hal::fail(error.code,

@@ -14,7 +14,8 @@ std::vector<std::uint8_t> bytes_of(const hal::node::exchange::Reply& reply) {
   to_wire(reply, {}, sample);
   guard::GuardedType<wire::ReplyPubSubType> type;
   guard::rtps::SerializedPayload_t payload(type.getSerializedSizeProvider(&sample)());
-  std::fill_n(payload.data, payload.max_size, guard::rtps::octet{});  // Padding is left as it was.
+  // serialize() does not write the padding
+  std::fill_n(payload.data, payload.max_size, guard::rtps::octet{});
   if (!type.serialize(&sample, &payload)) return {};
   return {payload.data, payload.data + payload.length};
 }

@@ -9,10 +9,11 @@
 
 namespace gateway::exchange {
 
-/// A Reply as it travels, for a record of what came from a process. @pre it fits into memory twice.
+/// Serialises a Reply as it is sent, to record what came from a process. @pre memory for two
+/// copies.
 std::vector<std::uint8_t> bytes_of(const hal::node::exchange::Reply& reply);
 
-/// And back, every value bit by bit. Errors: kProtocol (they are of no Reply).
+/// The reverse; every value is preserved bit by bit. Errors: kProtocol (the bytes are not a Reply).
 hal::Result<hal::node::exchange::Reply> reply_of(std::span<const std::uint8_t> bytes);
 
 }  // namespace gateway::exchange

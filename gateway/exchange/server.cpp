@@ -12,10 +12,11 @@
 namespace gateway::exchange {
 namespace {
 
-/// Refusals that wait to be asked for.
+/// Maximum number of refusals kept for take_refusals().
 constexpr std::size_t kMostRefusals = 100;
 
-/// A server of this process is told from the others by a number, from all others by its process.
+/// A number distinguishes the servers of this process; the process distinguishes them from all
+/// others.
 std::string unique_name(const process::ProcessIdentity& identity) {
   static std::atomic<int> next{1};
   return fmt::format("{}/{}/{}/{}", identity.host, identity.pid, identity.start_time, next++);
@@ -38,8 +39,7 @@ class Server::Implementation {
     let_go();
     std::vector<hal::node::exchange::Hello> hellos;
     while (const wire::Hello* sample = hellos_.take()) {
-      // What cannot be understood cannot be refused by name either; its sender runs out of
-      // patience.
+      // A Hello that cannot be decoded cannot be refused by name either; its sender will time out.
       auto hello = from_wire(*sample);
       if (!hello) continue;
       name_as_here(*hello, hellos_.origin());
@@ -50,7 +50,7 @@ class Server::Implementation {
 
   bool is_silent(const std::string& instance) {
     let_go();
-    // DDS has missed the end of a lease on a busy machine (3 of 120).
+    // On a busy machine, DDS has missed the end of a lease (3 of 120).
     if (const auto origin = visitors_.origin_of(instance)) {
       const auto silence = participant_.filter().silence_of(participant_of(*origin));
       if (silence && *silence > domain::kLivelinessLease) dispose(visitors_.fall_silent(*origin));
@@ -66,7 +66,7 @@ class Server::Implementation {
                      fmt::format("Fast DDS refuses a Session for {}", session.instance));
   }
 
-  /// A guest does not know what it is called here.
+  /// Sets the identity of a guest in this namespace, which the guest itself does not know.
   void name_as_here(hal::node::exchange::Hello& hello, const Origin& origin) {
     const auto sender = participant_.filter().sender_of(participant_of(origin));
     if (!sender) return;
@@ -80,8 +80,8 @@ class Server::Implementation {
     }
   }
 
-  /// Whether to hand a Hello on. One that is not what it says is not answered: the answer would go
-  /// to whom it names.
+  /// Whether to pass on a Hello. A Hello with false claims is not answered: the answer would go to
+  /// the process that it names.
   bool is_heard(const hal::node::exchange::Hello& hello, const Origin& origin) {
     const hal::rtps::GuidPrefix participant = participant_of(origin);
     const auto sender = participant_.filter().sender_of(participant);
@@ -99,18 +99,18 @@ class Server::Implementation {
     refusals_.push_back(fmt::format("process '{}' (pid {}): {}", hello.process, hello.pid, reason));
   }
 
-  /// Of the Sessions of those who are gone.
+  /// Disposes of the Sessions of instances that are gone.
   void dispose(const std::vector<std::string>& instances) {
     for (const std::string& instance : instances) {
       wire::Session sample;
       sample.instance(instance);
       sample.server(name_);
-      // It is not there if the Hello was left to another server.
+      // There is none if the Hello was left to another server.
       [[maybe_unused]] const bool was_there = sessions_.dispose(sample);
     }
   }
 
-  /// Disposes of the Sessions of those who are gone.
+  /// Disposes of the Sessions of processes that are gone.
   void let_go() {
     for (const Origin& origin : hellos_.presence().take_left()) dispose(visitors_.leave(origin));
     for (const Origin& origin : hellos_.presence().take_silent()) {
@@ -127,7 +127,7 @@ class Server::Implementation {
   Writer<wire::Session> sessions_;
   Visitors visitors_;
   std::vector<domain::Guest> guests_;
-  std::vector<std::string> refusals_;  ///< Since the last time they were asked for.
+  std::vector<std::string> refusals_;  ///< Since the last take_refusals().
 };
 
 Server::Server(process::DomainHold hold)

@@ -30,31 +30,32 @@ class Server {
   Server& operator=(const Server&) = delete;
 
   int domain() const;
-  const std::string& name() const;  ///< Unique per start; the key of Steps and Replies.
+  const std::string& name() const;  ///< Unique for each start; the key of Steps and Replies.
 
-  /// Hellos that came since the last call; waits for the first one, up to `timeout`. `watched`:
-  /// further descriptors that end the wait when they become readable. -1 is skipped.
+  /// Hellos that have arrived since the last call; waits for the first one, up to `timeout`.
+  /// @param watched  further descriptors that end the wait when they become readable; -1 is
+  /// skipped.
   std::vector<hal::node::exchange::Hello> hellos(hal::Duration timeout,
                                                  const std::vector<int>& watched = {});
-  /// Hellos since the last call that hellos() left out, because their claims are false, or a port
-  /// belongs to another user now: "process 'x' (pid 7): reason". Their participants are refused
-  /// from then on.
+  /// Hellos since the last call that hellos() left out because their claims are false, or because a
+  /// port now belongs to another user: "process 'x' (pid 7): reason". Their participants are
+  /// refused from then on.
   std::vector<std::string> take_refusals();
 
-  /// For a process in another network namespace that is to be started now. Its Hellos tell who it
-  /// is in the pid namespace of this process, whatever it calls itself in its own.
+  /// Creates an invitation for a process in another network namespace that is about to be started.
+  /// Its Hellos have its identity in the pid namespace of this process, whatever it is in its own.
   /// @throws std::runtime_error  no port or no descriptor is left.
   domain::Invitation invite();
-  int descriptor() const;   ///< Readable when Hellos may have come.
-  bool has_hellos() const;  ///< Without waiting, and cheap.
+  int descriptor() const;   ///< Readable when Hellos may have arrived.
+  bool has_hellos() const;  ///< Does not wait; cheap.
 
   /// Sends a Session or a refusal. `server` is filled in.
   /// Errors: kNotConnected (DDS refuses the sample).
   hal::Result<void> answer(hal::node::exchange::Session session);
 
-  /// The link to an admitted process, one of hellos(). To be made before the Session is sent. Only
-  /// Replies of the participant that said the Hello count.
-  /// @param reply_timeout  of every exchange; none: wait for ever.
+  /// Creates the link to an admitted process, one of hellos(). Call it before the Session is sent.
+  /// Only Replies of the participant that sent the Hello are accepted.
+  /// @param reply_timeout  for every exchange; none: no limit.
   /// @throws std::runtime_error  if DDS cannot create the topics.
   std::unique_ptr<ProcessLink> link(const hal::node::exchange::Hello& hello, std::uint64_t run,
                                     std::optional<hal::Duration> reply_timeout);

@@ -67,7 +67,7 @@ std::vector<std::string> Visitors::fall_silent(const Origin& writer) {
   }
   return erase([&](const Visitor& visitor) {
     const process::ProcessWatch watch(visitor.process);
-    // One that was halted when it fell silent may have died since.
+    // A process that was stopped when it became silent may have died since.
     return watch.is_local() ? watch.is_dead() : visitor.is_silent;
   });
 }

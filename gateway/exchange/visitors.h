@@ -14,33 +14,34 @@
 
 namespace gateway::exchange {
 
-/// The processes that sent Hello to a server, with their participants: an instance belongs to the
-/// participant that named it first, as long as that one exists. One thread.
+/// The processes that sent a Hello to a server, with their participants. An instance belongs to the
+/// participant that named it first, as long as that participant exists. One thread.
 class Visitors {
  public:
-  /// Most Hellos of one process at a time. Each takes a participant of its own.
+  /// Maximum number of Hellos of one process at a time. Each needs a participant of its own.
   static constexpr std::size_t kMostOfProcess = 64;
 
-  /// @param trust  which users are heard; null: all. Outlives this object.
+  /// @param trust  which users are accepted; null: all. Outlives this object.
   explicit Visitors(const guard::Trust* trust) : trust_(trust) {}
 
   /// Notes a Hello.
   /// @param sender  source address of its participant; none: unknown.
-  /// Errors: kProtocol: it must not be answered, because it names the instance of another process,
-  ///   or because its process has sent too many.
+  /// Errors: kProtocol: it must not be answered, because it names the instance of another
+  /// participant, its process is not the one that it claims to be, or its process has sent too
+  /// many.
   hal::Result<void> receive(const hal::node::exchange::Hello& hello, const Origin& origin,
                             const std::optional<guard::UdpSender>& sender);
 
-  /// Whose Hello it was; none: of nobody who is there.
+  /// Origin of the Hello of an instance; none if the instance is not present.
   std::optional<Origin> origin_of(const std::string& instance) const;
 
-  /// Whether an instance is gone, or was not heard for the liveliness lease.
+  /// Whether an instance is gone, or was silent for the liveliness lease.
   bool is_silent(const std::string& instance) const;
 
-  /// A writer of Hellos is gone. @return the instances that are gone with it.
+  /// Call when a writer of Hellos has left. @return the instances that are gone with it.
   std::vector<std::string> leave(const Origin& writer);
-  /// A writer of Hellos was not heard for the liveliness lease: the same, but for processes of this
-  /// host that live. A debugger may hold them.
+  /// Call when a writer of Hellos was silent for the liveliness lease. The same, except that live
+  /// processes on this host stay: a debugger may have stopped them.
   std::vector<std::string> fall_silent(const Origin& writer);
 
  private:

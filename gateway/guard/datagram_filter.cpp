@@ -18,12 +18,12 @@ namespace gateway::guard {
 namespace {
 
 constexpr const char* kWhere = "dds";
-/// Participants whose ports are known; the one that was silent longest gives way.
+/// Maximum number of participants whose ports are kept; the one that was silent longest is removed.
 constexpr std::size_t kMostSpeakers = 8192;
-/// Sequence numbers that a participant may leave out: Fast DDS goes through them one by one, which
-/// takes it 2 s for as many. A writer with more samples cannot be joined late.
+/// Maximum number of sequence numbers that a participant may skip: Fast DDS iterates over them,
+/// which takes 2 s for this number. A reader cannot join late a writer with more samples.
 constexpr std::int64_t kMostSkipped = 1 << 26;
-/// What is told of those that are dropped.
+/// Maximum number of addresses and reasons in the summary of drops.
 constexpr std::size_t kMostNamed = 8;
 constexpr std::size_t kMostReasons = 5;
 constexpr std::uint32_t kWholeAddress = 0xffffffff;
@@ -42,7 +42,7 @@ bool is_in_use(const UdpSender& port) {
   return sockets && !sockets->empty();
 }
 
-/// Of the interface that has the address.
+/// Netmask of the interface that has the address.
 std::uint32_t mask_of(std::uint32_t address, const ifaddrs* interfaces) {
   for (const ifaddrs* one = interfaces; one != nullptr; one = one->ifa_next) {
     const bool is_it = one->ifa_addr != nullptr && one->ifa_netmask != nullptr &&
@@ -104,7 +104,7 @@ bool DatagramFilter::lets_in(hal::rtps::Octets datagram, const UdpSender& sender
   return reason.what.empty();
 }
 
-/// Whoever has spoken from that port as that participant is not looked up again.
+/// The user of a port that this participant has used before is not looked up again.
 bool DatagramFilter::is_of_stranger(const hal::rtps::GuidPrefix& source, hal::rtps::Octets datagram,
                                     const UdpSender& sender) {
   if (!strangers_) return false;
@@ -137,7 +137,8 @@ DatagramFilter::Reason DatagramFilter::objection_to(const hal::rtps::GuidPrefix&
   Speaker speaker = known == speakers_.end() ? Speaker{.sender = sender} : known->second;
   if (speaker.is_ignored) return {"sender", "its participant is not heard any more"};
   if (settings_.is_star && speaker.sender != sender) {
-    // One that ended and began anew within its process has the same GUID, and the old port is free.
+    // A participant that ended and was created again in the same process has the same GUID, and its
+    // old port is free.
     if (is_in_use(speaker.sender)) {
       return {"sender", "its participant speaks from another port"};
     }

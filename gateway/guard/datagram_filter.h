@@ -22,7 +22,7 @@ namespace gateway::guard {
 
 class Strangers;
 
-/// The addresses from which an interface is reached without a router.
+/// The addresses that an interface reaches without a router.
 struct Network {
   std::uint32_t address = 0, mask = 0;
   bool holds(std::uint32_t other) const { return (address & mask) == (other & mask); }
@@ -89,12 +89,12 @@ class DatagramFilter {
  private:
   struct Speaker {
     UdpSender sender;
-    std::uint64_t heard = 0;   ///< Number of the datagram it was heard with last …
-    hal::Time heard_at{};      ///< … and when that was.
-    std::int64_t highest = 0;  ///< Of its sequence numbers.
+    std::uint64_t heard = 0;   ///< Number of its latest datagram.
+    hal::Time heard_at{};      ///< Time of its latest datagram.
+    std::int64_t highest = 0;  ///< Highest of its sequence numbers.
     bool is_ignored = false;
   };
-  /// Part of a datagram and what is wrong with it; empty: nothing.
+  /// Why a datagram is rejected, and because of which part; empty: it is accepted.
   struct Reason {
     std::string_view part, what;
     auto operator<=>(const Reason&) const = default;
@@ -110,12 +110,13 @@ class DatagramFilter {
   void drop(const Reason& reason, const UdpSender& sender);
 
   const Settings settings_;
-  std::unique_ptr<Strangers> strangers_;  ///< Null: all users are heard.
+  std::unique_ptr<Strangers> strangers_;  ///< Null: all users are accepted.
   mutable std::mutex mutex_;
   std::map<hal::rtps::GuidPrefix, Speaker> speakers_;
   std::uint64_t heard_ = 0;
   std::map<Reason, std::uint64_t> drops_;
-  std::vector<UdpSender> named_;  ///< The first of each address that something was dropped from.
+  /// First sender of each address from which something was dropped.
+  std::vector<UdpSender> named_;
 };
 
 }  // namespace gateway::guard

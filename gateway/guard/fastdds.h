@@ -1,6 +1,6 @@
 #pragma once
 
-// The one place that knows the version of Fast DDS (2.9, Debian 12).
+// The only file that depends on the version of Fast DDS (2.9, Debian 12).
 
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/attributes/LibrarySettingsAttributes.h>

@@ -15,14 +15,14 @@
 namespace gateway::guard {
 namespace {
 
-/// Where inherited descriptors are looked for: exec leaves them low.
+/// Highest descriptor that is searched: after exec, inherited descriptors have low numbers.
 constexpr int kHighestInherited = 1023;
 
 [[noreturn]] void fail_taking(const std::string& what) {
   throw std::runtime_error(fmt::format("{}: {}", kHandedVariable, what));
 }
 
-/// The socket of an inode, which stays in no program that this process starts.
+/// The socket with an inode. It is set to be closed in programs that this process starts.
 process::OwnedDescriptor inherited(std::uint64_t inode) {
   for (int number = 3; number <= kHighestInherited; ++number) {
     struct stat status {};

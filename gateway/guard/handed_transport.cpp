@@ -28,7 +28,7 @@ Locator_t locator_of(const sockaddr_in& address) {
   return locator;
 }
 
-/// Sends everything from one socket.
+/// Sends all datagrams from one socket.
 class HandedSender : public rtps::SenderResource {
  public:
   explicit HandedSender(int socket) : SenderResource(LOCATOR_KIND_UDPv4) {
@@ -40,14 +40,14 @@ class HandedSender : public rtps::SenderResource {
   }
 };
 
-/// A thread that hands on what comes in on a socket.
+/// A thread that passes on the datagrams that a socket receives.
 class HandedReceiver {
  public:
   HandedReceiver(int socket, const Locator_t& local, base::TransportReceiverInterface* receiver)
       : socket_(socket), local_(local), receiver_(receiver), thread_([this] { receive(); }) {}
   ~HandedReceiver() {
     ends_ = true;
-    // Says that the socket is not connected, and wakes its reader up all the same.
+    // Fails because the socket is not connected, but wakes up its reader.
     shutdown(socket_, SHUT_RD);
     thread_.join();
   }
@@ -75,8 +75,8 @@ class HandedReceiver {
   std::thread thread_;
 };
 
-/// What Fast DDS 2.9 asks of a transport, as its UDPv4Transport with a whitelist of 127.0.0.1
-/// answers, but for the opening of sockets.
+/// What Fast DDS 2.9 requires of a transport. It behaves as UDPv4Transport with a whitelist of
+/// 127.0.0.1, except that it opens no sockets.
 class HandedTransport : public base::TransportInterface {
  public:
   explicit HandedTransport(const HandedTransportDescriptor& descriptor)
@@ -121,7 +121,7 @@ class HandedTransport : public base::TransportInterface {
   bool CloseInputChannel(const Locator_t& locator) override;
   void select_locators(rtps::LocatorSelector& selector) const override;
 
-  // The participant names each of its locators itself: no defaults are asked for, none is made up.
+  // The participant specifies all its locators itself, so no default locators are needed.
   void AddDefaultOutputLocator(rtps::LocatorList_t& /*list*/) override {}
   bool getDefaultMetatrafficMulticastLocators(rtps::LocatorList_t& /*list*/,
                                               std::uint32_t /*port*/) const override {
@@ -195,7 +195,7 @@ bool HandedTransport::CloseInputChannel(const Locator_t& locator) {
     receiver = std::move(found->second);
     receivers_.erase(found);
   }
-  return true;  // The receiver's thread, which may ask for the lock, ends without it.
+  return true;  // the receiver's thread, which may take the lock, ends without it
 }
 
 void HandedTransport::select_locators(rtps::LocatorSelector& selector) const {

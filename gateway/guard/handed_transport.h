@@ -7,13 +7,13 @@
 
 namespace gateway::guard {
 
-/// UDP over sockets that are there already, for a participant whose every locator is one of theirs,
-/// and 127.0.0.1. Nothing but these is opened: what network the process itself is in plays no part.
+/// UDP over existing sockets, for a participant whose locators all belong to these sockets and to
+/// 127.0.0.1. It opens no other sockets, so the process's own network namespace does not matter.
 ///
 ///   qos.transport().user_transports.assign(1,
 ///       std::make_shared<HandedTransportDescriptor>(handed, 4U << 20U));
 struct HandedTransportDescriptor : eprosima::fastdds::rtps::TransportDescriptorInterface {
-  /// @param handed  outlives the participant.   @param send_buffer  bytes, of the socket.
+  /// @param handed  outlives the participant.   @param send_buffer  of the socket [byte].
   HandedTransportDescriptor(const HandedSockets& handed, std::uint32_t send_buffer)
       : TransportDescriptorInterface(eprosima::fastdds::rtps::s_maximumMessageSize,
                                      eprosima::fastdds::rtps::s_maximumInitialPeersRange),

@@ -17,15 +17,15 @@ namespace {
 
 constexpr int kSendBuffer = 4 << 20;
 
-/// The kernel drops whatever comes to a socket before it is held anywhere (socket(7),
-/// SO_ATTACH_FILTER). @return whether it does; else errno says why.
+/// Makes the kernel drop all datagrams that arrive at a socket, before they use memory (socket(7),
+/// SO_ATTACH_FILTER). @return whether that succeeded; else errno is set.
 bool hears_nothing(int descriptor) {
   sock_filter take_no_byte{BPF_RET | BPF_K, 0, 0, 0};
   const sock_fprog program{1, &take_no_byte};
   return setsockopt(descriptor, SOL_SOCKET, SO_ATTACH_FILTER, &program, sizeof(program)) == 0;
 }
 
-/// @return its port; 0: it has none, errno says why.
+/// @return its port; 0: it has none, and errno is set.
 std::uint16_t bind_to_any(int descriptor) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -39,10 +39,11 @@ std::uint16_t bind_to_any(int descriptor) {
 }  // namespace
 
 SendingSocket::SendingSocket() {
-  std::vector<process::OwnedDescriptor> refused;  // held, so that each try gets another port
+  // kept open, so that each attempt gets another port
+  std::vector<process::OwnedDescriptor> refused;
   while (true) {
     process::OwnedDescriptor made(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-    // Before it has a port: bound to any address, it is reached from other hosts, too.
+    // Before it has a port: a socket bound to any address can be reached from other hosts.
     const bool is_made = made.number() >= 0 && hears_nothing(made.number());
     port_ = is_made ? bind_to_any(made.number()) : 0;
     if (port_ == 0) {
@@ -52,7 +53,7 @@ SendingSocket::SendingSocket() {
       refused.push_back(std::move(made));
       continue;
     }
-    // As much as the system grants.
+    // The system may limit the size.
     setsockopt(made.number(), SOL_SOCKET, SO_SNDBUF, &kSendBuffer, sizeof(kSendBuffer));
     descriptor_ = std::move(made);
     return;

@@ -9,7 +9,7 @@
 
 namespace gateway::guard {
 
-// Processes end while they are looked at: nothing here may throw.
+// Processes can end while they are inspected: nothing here may throw.
 
 std::optional<bool> has_socket(std::int64_t pid, std::uint64_t inode) {
   const std::string wanted = fmt::format("socket:[{}]", inode);

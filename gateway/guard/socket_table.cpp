@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kLocal = 1, kUser = 7, kInode = 9;  // columns
 constexpr std::size_t kColumns = 10;
-constexpr std::size_t kWord = 8;  // digits of 32 bits
+constexpr std::size_t kWord = 8;  // hexadecimal digits of 32 bits
 
 template <class Number>
 std::optional<Number> number_of(std::string_view text, int base) {
@@ -25,7 +25,7 @@ std::optional<Number> number_of(std::string_view text, int base) {
   return number;
 }
 
-/// The first columns; fewer are there: the rest is empty.
+/// The first columns of a line; missing columns are empty.
 std::array<std::string_view, kColumns> columns_of(std::string_view line) {
   constexpr std::string_view kBlank = " \t";
   std::array<std::string_view, kColumns> columns;
@@ -37,14 +37,15 @@ std::array<std::string_view, kColumns> columns_of(std::string_view line) {
   return columns;
 }
 
-/// 32 bits of an address: in the order of the network, read as a number of this machine.
+/// 32 bits of an address, which the file has in network byte order, read as a number of this
+/// machine.
 std::optional<std::uint32_t> word_of(std::string_view digits) {
   const auto word = number_of<std::uint32_t>(digits, 16);
   if (!word) return std::nullopt;
   return ntohl(*word);
 }
 
-/// Puts in what an address says. @return whether it can send to IPv4 addresses.
+/// Parses an address into `socket`. @return whether the socket can send to IPv4 addresses.
 bool read_address(std::string_view digits, TableSocket& socket) {
   const bool is_v6 = digits.size() == 4 * kWord;
   if (!is_v6 && digits.size() != kWord) return false;
@@ -63,9 +64,9 @@ bool read_address(std::string_view digits, TableSocket& socket) {
   return front[0] == 0 && front[1] == 0 && (front[2] == kMapped || socket.may_be_of_ipv6);
 }
 
-/// Those that one has by which an other cannot be the sender are left out.
+/// Removes sockets that cannot be the sender because of the other sockets.
 std::vector<TableSocket> that_may_send(std::vector<TableSocket> sockets) {
-  // One of IPv6 shares its port with one of IPv4 only if it sends to IPv6 addresses alone.
+  // An IPv6 socket shares its port with an IPv4 socket only if it sends to IPv6 addresses alone.
   const bool has_ipv4 =
       !std::ranges::all_of(sockets, [](const auto& one) { return one.may_be_of_ipv6; });
   if (has_ipv4) std::erase_if(sockets, [](const auto& one) { return one.may_be_of_ipv6; });
@@ -96,7 +97,7 @@ std::vector<TableSocket> sockets_with(std::uint16_t port, std::istream& udp, std
   std::vector<TableSocket> found;
   for (std::istream* file : {&udp, &udp6}) {
     for (std::string line; std::getline(*file, line);) {
-      if (line.find(needle) == std::string::npos) continue;  // most of them
+      if (line.find(needle) == std::string::npos) continue;  // most lines
       const auto socket = table_socket(line);
       if (socket && socket->port == port) found.push_back(*socket);
     }
@@ -104,14 +105,14 @@ std::vector<TableSocket> sockets_with(std::uint16_t port, std::istream& udp, std
   return found;
 }
 
-/// The kernel's tables are not read at one instant: while other sockets come and go, one that is
-/// there all along may be passed over.
+/// Repeats the search, because the kernel does not read its tables at one instant: while other
+/// sockets come and go, an existing one can be missed.
 std::optional<std::vector<TableSocket>> sockets_behind(const UdpSender& sender) {
   constexpr int kLooks = 3;
   std::vector<TableSocket> found;
   for (int look = 0; look < kLooks && found.empty(); ++look) {
     std::ifstream udp("/proc/self/net/udp");
-    std::ifstream udp6("/proc/self/net/udp6");  // not there: no IPv6
+    std::ifstream udp6("/proc/self/net/udp6");  // if it does not exist, there is no IPv6
     if (!udp) return std::nullopt;
     found = that_may_send(sockets_with(sender.port, udp, udp6));
   }

@@ -21,7 +21,8 @@ bool is_of_this_host(const process::ProcessIdentity& claimed) {
   return claimed.host == process::this_process().host;
 }
 
-/// The one socket that a datagram may come from; 0: nobody has one; nothing: it cannot be told.
+/// Inode of the only socket that a datagram can come from; 0: there is none; nullopt: it cannot be
+/// determined.
 std::optional<std::uint64_t> socket_of(const UdpSender& sender) {
   const auto sockets = sockets_behind(sender);
   if (!sockets || sockets->size() > 1) return std::nullopt;

@@ -18,14 +18,14 @@
 namespace gateway::guard {
 namespace {
 
-/// How long a refusal holds without another look.
+/// Time for which a refusal is valid without another check.
 constexpr hal::Duration kRefusalHolds = std::chrono::milliseconds{250};
 constexpr std::size_t kMostRefused = 1024;  // ports
 constexpr std::size_t kMostStrangers = 16;
-constexpr std::size_t kMostAttempts = 8;  // of each
-constexpr std::size_t kLongestName = 64;  // characters of a name that is told
+constexpr std::size_t kMostAttempts = 8;  // per stranger
+constexpr std::size_t kLongestName = 64;  // characters of a name in a message
 
-/// PID_ENTITY_NAME of what SPDP says of a participant (OMG DDSI-RTPS 2.5, table 9.13).
+/// PID_ENTITY_NAME in the SPDP data of a participant (OMG DDSI-RTPS 2.5, table 9.13).
 std::string name_of_participant(hal::rtps::Octets payload) {
   constexpr std::uint16_t kEntityName = 0x0062;
   constexpr std::uint16_t kLittleEndianList = 0x0003;  // PL_CDR_LE (10.2)
@@ -55,7 +55,8 @@ std::string attempt_of(const hal::rtps::Data& data) {
   return fmt::format("{} {}", writes ? "writes" : "reads", endpoint->topic.substr(0, kLongestName));
 }
 
-/// "pid 7 (python3), " of who has a socket; empty: none that this process may look at.
+/// "pid 7 (python3), " for the process that has a socket; empty if there is none that this process
+/// may inspect.
 std::string process_text(std::uint64_t inode) {
   const auto pid = inode == 0 ? std::nullopt : process_with(inode);
   if (!pid) return {};
@@ -92,7 +93,7 @@ bool Strangers::refuse(hal::rtps::Octets datagram, const UdpSender& sender) {
     const Refused* const refused = refused_at(sender, news);
     if (refused == nullptr) return false;
     const auto stranger = strangers_.find(refused->user);
-    if (stranger == strangers_.end()) return true;  // One of too many.
+    if (stranger == strangers_.end()) return true;  // not kept: there are too many
     ++stranger->second.datagrams;
     auto& known = stranger->second.attempts;
     if (known.size() < kMostAttempts) attempts = attempts_in(datagram);

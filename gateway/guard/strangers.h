@@ -17,12 +17,12 @@
 
 namespace gateway::guard {
 
-/// What a datagram says about its sender: "is called 'baraka server'", "writes
-/// baraka/session", "reads baraka/hello"; empty if it says nothing of the kind.
+/// What a datagram tells about its sender: "is called 'baraka server'", "writes baraka/session",
+/// "reads baraka/hello"; empty if it tells nothing of that kind.
 std::vector<std::string> attempts_in(hal::rtps::Octets datagram);
 
-/// The users whose data a participant refuses. Each is logged once, with its process if it is
-/// accessible; later datagrams are only counted. Any thread.
+/// The users whose data a participant refuses. The first datagram of each user is logged, with its
+/// process if that can be seen; later datagrams are only counted. Any thread.
 class Strangers {
  public:
   Strangers(Trust trust, hal::Clock& clock) : trust_(std::move(trust)), clock_(clock) {}
@@ -33,7 +33,7 @@ class Strangers {
 
   const Trust& trust() const { return trust_; }
 
-  /// "user 1002: 57 datagrams; it is called 'x', writes baraka/session", one for each.
+  /// One line for each user: "user 1002: 57 datagrams; it is called 'x', writes baraka/session".
   std::vector<std::string> summary() const;
 
  private:
@@ -46,7 +46,7 @@ class Strangers {
     hal::Time until{};
   };
 
-  /// The user who was refused there lately, or is now; nothing: it is to be heard.
+  /// The refusal of this sender, recent or new; null: it is accepted.
   const Refused* refused_at(const UdpSender& sender, std::string& news);
   std::string introduction(const SenderJudgement& judgement, const UdpSender& sender) const;
 
@@ -54,7 +54,7 @@ class Strangers {
   hal::Clock& clock_;
   mutable std::mutex mutex_;
   std::map<UdpSender, Refused> refused_;
-  std::map<std::optional<uid_t>, Stranger> strangers_;  ///< None: whose user cannot be told.
+  std::map<std::optional<uid_t>, Stranger> strangers_;  ///< None: the user cannot be determined.
 };
 
 }  // namespace gateway::guard

@@ -19,12 +19,12 @@ namespace {
 
 constexpr const char* kUnverified = "unverified";
 
-/// The number of a user who is named by it or by a name.
+/// The id of a user who is given by id or by name.
 uid_t user_called(const std::string& word) {
   if (word.find_first_not_of("0123456789") == std::string::npos) {
     std::istringstream digits(word);
     std::uint64_t number = 0;
-    // The highest of 32 bits stands for no user.
+    // The highest 32-bit number stands for no user.
     if (digits >> number && number < std::numeric_limits<uid_t>::max()) {
       return static_cast<uid_t>(number);
     }
@@ -75,7 +75,7 @@ bool Trust::covers(uid_t user) const {
 
 bool is_told(uid_t user, uid_t overflow, std::string_view map) {
   if (user != overflow) return true;
-  // The map of the first user namespace: everybody is in it.
+  // The map of the initial user namespace, which contains all users.
   std::istringstream line{std::string(map)};
   std::uint64_t inside = 1, outside = 1, length = 0;
   line >> inside >> outside >> length;

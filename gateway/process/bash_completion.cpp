@@ -11,7 +11,7 @@
 namespace gateway::process {
 namespace {
 
-/// What stands before the tables: the command that the line names so far, and what may follow.
+/// The part before the tables: finds the command that the line names so far, and what may follow.
 constexpr std::string_view kHead =
     R"bash(# Completion of {0} for bash, made by {0} from the tables by which it reads its command line.
 _{1}() {{
@@ -25,7 +25,7 @@ _{1}() {{
   case "$command" in
 )bash";
 
-/// What stands behind them.
+/// The part after the tables.
 constexpr std::string_view kTail = R"bash(  esac
   COMPREPLY=()
   if [[ -n $values ]]; then
@@ -50,7 +50,7 @@ constexpr std::string_view kTail = R"bash(  esac
 complete -F _{1} {0}
 )bash";
 
-/// Every way to a command: "" for the program, "/topic/list".
+/// Collects the paths of all commands: "" for the program, "/topic/list".
 void collect(const CLI::App& app, const std::string& path,
              std::vector<std::pair<std::string, const CLI::App*>>& ways) {
   ways.emplace_back(path, &app);
@@ -67,7 +67,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return all;
 }
 
-/// The first words that may stand in place of a command: commands, and choices of arguments.
+/// Words that can be the first argument: commands, and choices of arguments.
 std::vector<std::string> words_of(const CLI::App& command) {
   std::vector<std::string> words;
   for (const CLI::App* one : commands_shown(command)) words.push_back(one->get_name());
@@ -78,7 +78,7 @@ std::vector<std::string> words_of(const CLI::App& command) {
   return words;
 }
 
-/// Whether a file named SCENARIO is wanted, which may also be named as `list scenarios` does.
+/// Whether an argument is named SCENARIO: a file, or a name as in `list scenarios`.
 bool takes_a_scenario(const CLI::App& command) {
   for (const CLI::Option* one : arguments_shown(command)) {
     if (one->get_name(true).ends_with("SCENARIO")) return true;
@@ -86,7 +86,7 @@ bool takes_a_scenario(const CLI::App& command) {
   return false;
 }
 
-/// The lines of one command in the table.
+/// The lines for one command in the table.
 std::string entry(const std::string& path, const CLI::App& command) {
   std::string out =
       fmt::format("    \"{}\")\n      options=\"{}\" commands=\"{}\"{}\n", path,
@@ -113,12 +113,12 @@ std::string bash_completion(const CLI::App& app, const std::string& program) {
   for (const auto& [path, command] : ways) {
     if (!path.empty()) paths.push_back(path);
   }
-  if (paths.empty()) paths.emplace_back("//");  // no word leads anywhere
+  if (paths.empty()) paths.emplace_back("//");  // matches no path
   std::string function = program;
   for (char& c : function) c = c == '-' ? '_' : c;
   std::string out = fmt::format(kHead, program, function, fmt::join(paths, "|"));
   for (const auto& [path, command] : ways) out.append(entry(path, *command));
-  // Files behind a command; of a program without commands anywhere.
+  // Files are completed after a command; in a program without commands, everywhere.
   const std::string_view has_files = ways.size() > 1 ? "-n $command" : "-z $command";
   return out + fmt::format(kTail, program, function, has_files);
 }

@@ -20,7 +20,7 @@
 namespace gateway::process {
 namespace {
 
-/// As CLI11 wants it: replaces the text by the number, or returns what is wrong.
+/// In the form that CLI11 needs: replaces the text by the number, or returns what is wrong.
 std::string replaced(std::string& text, const hal::Result<double>& value) {
   if (!value) return value.error().message;
   text = fmt::format("{}", *value);
@@ -47,8 +47,8 @@ std::vector<std::string> options_of(const CLI::App& app) {
   return names;
 }
 
-/// What is wrong with the first word that nobody knows; empty: nothing that can be told better
-/// than CLI11 does.
+/// The message for the first unknown word; empty if there is none for which CLI11's own message is
+/// not as good.
 std::string unknown_word(const CLI::App& app) {
   const auto named = app.get_subcommands();
   if (!named.empty()) {

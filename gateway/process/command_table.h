@@ -8,19 +8,19 @@ class App;
 class Option;
 }  // namespace CLI
 
-/// What manual pages and completion take from the tables of CLI11: what --help shows.
+/// Access to the tables of CLI11 for manual pages and completion: what --help shows.
 namespace gateway::process {
 
 std::vector<const CLI::App*> commands_shown(const CLI::App& app);
 std::vector<const CLI::Option*> options_shown(const CLI::App& app);
 std::vector<const CLI::Option*> arguments_shown(const CLI::App& app);
 
-/// As they are typed: "-h", "--help".
+/// Names as they are typed: "-h", "--help".
 std::vector<std::string> names_of(const CLI::Option& option);
 bool takes_a_value(const CLI::Option& option);
-/// What its value may be, in words, without CLI11's name of the type: "0 to 232"; else the type.
+/// Description of the values, without CLI11's name of the type: "0 to 232"; else the type.
 std::string values_of(const CLI::Option& option);
-/// The words of which its value must be one; empty: it need not.
+/// The words that the value can be; empty: it is not limited to words.
 std::vector<std::string> choices_of(const CLI::Option& option);
 
 }  // namespace gateway::process

@@ -23,7 +23,7 @@ namespace {
 constexpr int kFirstPort = 7400;      // PB and …
 constexpr int kPortsPerDomain = 250;  // … DG of OMG DDSI-RTPS 2.3, 9.6.1.1
 
-/// What a place of a domain is for; it is in the name of the socket that holds the place.
+/// The use of a place of a domain; part of the name of the socket that holds the place.
 constexpr std::string_view kServers = "domain", kShown = "shown";
 
 struct DomainPlace {
@@ -31,9 +31,10 @@ struct DomainPlace {
   int domain, number;
 };
 
-/// A place of a domain is held by a Unix socket of this name, which is in no folder: whoever is in
-/// this network namespace, where the domain's ports are, sees it, whichever user; it cannot be a
-/// link or be left behind, and the kernel knows who holds it (unix(7), abstract sockets).
+/// Name of the Unix socket that holds a place of a domain. The name is abstract, so the socket is
+/// not in the file system: it is visible to all users in this network namespace, which also has the
+/// domain's ports; it cannot be a link or be left behind; and the kernel knows its owner (unix(7),
+/// abstract sockets).
 sockaddr_un lock_name(const DomainPlace& place, socklen_t& size) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -50,13 +51,13 @@ int unix_socket() {
   throw std::runtime_error(fmt::format("a Unix socket: {}", std::strerror(errno)));
 }
 
-/// @return a socket that holds the place until it is closed; -1: another one does.
-/// @throws std::runtime_error  it can be had by nobody.
+/// @return a socket that holds the place until it is closed; -1: another process holds it.
+/// @throws std::runtime_error  the place cannot be held by any process.
 int hold_place(const DomainPlace& place) {
   const int descriptor = unix_socket();
   socklen_t size = 0;
   const sockaddr_un address = lock_name(place, size);
-  // Only a socket that listens tells who it is.
+  // Only a listening socket reveals its owner.
   if (bind(descriptor, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
       listen(descriptor, SOMAXCONN) == 0) {
     return descriptor;
@@ -71,12 +72,12 @@ std::string program_of(pid_t pid) {
   std::error_code error;
   const auto path = std::filesystem::read_symlink(fmt::format("/proc/{}/exe", pid), error);
   if (!error) return path.filename().string();
-  std::ifstream file(fmt::format("/proc/{}/comm", pid));  // of another user
+  std::ifstream file(fmt::format("/proc/{}/comm", pid));  // the process of another user
   std::string name;
   return std::getline(file, name) ? name : "unknown";
 }
 
-/// Who holds a place of a domain; none: nobody, or it cannot be told.
+/// The process that holds a place of a domain; none: there is none, or it cannot be determined.
 std::optional<ucred> credentials_at(const DomainPlace& place) {
   const int descriptor = unix_socket();
   socklen_t size = 0;
@@ -102,8 +103,8 @@ void require_domain(int domain) {
   throw NoSuchDomain(fmt::format("there is no DDS domain {}: it is 0 to {}", domain, kLastDomain));
 }
 
-/// Binds a UDP socket of the loopback interface for a moment. @param port  0: whichever is free.
-/// @return the port it had; 0: none, errno says why.
+/// Binds a UDP socket of the loopback interface for a moment. @param port  0: any free port.
+/// @return the port; 0: it could not be bound, and errno is set.
 int bound_port(int port) {
   const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (probe < 0) return 0;
@@ -122,7 +123,7 @@ int bound_port(int port) {
 
 bool is_port_free(int port) { return bound_port(port) != 0 || errno != EADDRINUSE; }
 
-/// The port of a domain's places that a program uses which is none of ours.
+/// A port of the domain's places that is used by a program that is not ours.
 std::optional<int> port_in_use(int domain) {
   for (int place = 0; place < kPlaces; ++place) {
     if (const int port = discovery_port(domain, place); !is_port_free(port)) return port;
@@ -130,7 +131,7 @@ std::optional<int> port_in_use(int domain) {
   return std::nullopt;
 }
 
-/// The first place of a domain that cannot be had, for the message.
+/// The holder of the first place of a domain that is held, for messages.
 std::string first_holder(int domain) {
   for (int place = 0; place < kPlaces; ++place) {
     const int descriptor = hold_place({kServers, domain, place});
@@ -140,7 +141,7 @@ std::string first_holder(int domain) {
   return "another process";
 }
 
-/// The users who hold places of a domain, each once.
+/// The users who hold places of a domain.
 std::set<uid_t> holders(std::string_view use, int domain) {
   std::set<uid_t> users;
   for (int place = 0; place < kPlaces; ++place) {

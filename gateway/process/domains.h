@@ -12,7 +12,7 @@
 
 namespace gateway::process {
 
-/// Most servers of agents in one DDS domain of one machine.
+/// Maximum number of servers of agents in one DDS domain of one machine.
 inline constexpr int kPlaces = 8;
 /// Domains from which take_domain() picks by itself; on request it takes any of 0..kLastDomain.
 inline constexpr int kFirstFreeDomain = 1, kLastFreeDomain = 100;
@@ -48,17 +48,17 @@ class DomainHold {
 /// @throws std::runtime_error  if it is busy, with the holder's name; if none is free.
 DomainHold take_domain(std::optional<int> domain);
 
-/// Takes the first free place in a domain that others may share.
-/// @throws std::runtime_error  if all places are taken, with the name of the first one's holder.
+/// Takes the first free place in a domain that may be shared.
+/// @throws std::runtime_error  if all places are taken, with the name of the first place's holder.
 DomainHold join_domain(int domain);
 
 /// The users who hold places in a domain, each once.
 /// @throws std::runtime_error  no file descriptor is left.
 std::set<uid_t> users_in(int domain);
 
-/// A mark that this process publishes topics for tools in a domain, by which `baraka topic` finds
+/// A mark that this process publishes topics for tools in a domain, so that `baraka topic` finds
 /// it. It lasts until destruction or the death of the process and is not exclusive: simulators and
-/// daemons may share the domain. At most kPlaces processes have a mark in a domain.
+/// daemons can share the domain. At most kPlaces processes have a mark in a domain.
 class ShownDomain {
  public:
   /// @throws NoSuchDomain  @throws std::runtime_error  no file descriptor is left.
@@ -71,19 +71,19 @@ class ShownDomain {
   int lock_ = -1;
 };
 
-/// The domains with a ShownDomain of a user's process, ascending.
+/// The domains with a ShownDomain of one of a user's processes, in ascending order.
 /// @throws std::runtime_error  no file descriptor is left.
 std::vector<int> domains_shown_by(uid_t user);
 
 /// UDP port for discovery of the server at a place of a domain.
 int discovery_port(int domain, int place);
 
-/// Whether a UDP port is the discovery port of a server of some domain.
+/// Whether a UDP port is the discovery port of a server in any domain.
 bool may_be_a_servers(int port);
 
 /// A UDP port of 127.0.0.1 that is unused now and not a discovery port of a server. Another process
-/// may take it before it is opened.
-/// @throws std::runtime_error  no port is left, or no file descriptor.
+/// can take it before it is opened.
+/// @throws std::runtime_error  no port or no file descriptor is left.
 int free_port();
 
 /// The command line or the environment names an invalid domain.

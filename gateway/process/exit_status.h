@@ -18,7 +18,7 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The user has interrupted an operation that cannot be stopped otherwise.
+/// The user has interrupted an operation that cannot be stopped in another way.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

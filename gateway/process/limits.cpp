@@ -11,8 +11,8 @@
 namespace gateway::process {
 namespace {
 
-/// Measured: 3 per process (two to see it die, one to hear that it has answered), and 40 for DDS,
-/// results and logs. The rest is to spare.
+/// Measured: 3 per process (two to detect its death, one to detect that it has answered), and 40
+/// for DDS, results and logs. The rest is a reserve.
 constexpr rlim_t kFilesPerProcess = 4;
 constexpr rlim_t kFilesOfOurOwn = 64;
 constexpr int kThreadsPerProcess = 6;

@@ -13,7 +13,7 @@
 namespace gateway::process {
 namespace {
 
-/// Text as it stands, whatever it is to roff.
+/// Escapes text for roff.
 std::string roff(std::string_view text) {
   std::string out;
   out.reserve(2 * text.size());
@@ -38,8 +38,8 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// "baraka topic list" of "baraka-topic-list", as it is typed: by the names of the tables, as names
-/// of commands have hyphens, too.
+/// The command as it is typed, "baraka topic list" for "baraka-topic-list". It is made from the
+/// tables, because names of commands can have hyphens.
 std::string typed(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
   return parent == nullptr ? command.get_name() : typed(*parent) + " " + command.get_name();
@@ -61,7 +61,7 @@ std::string synopsis(const CLI::App& command) {
   return out;
 }
 
-/// "Needs: --view" and the like; names in the order of the alphabet, as the sets have none.
+/// "Needs: --view" and similar; names are sorted, because the sets have no order.
 std::string others(std::string_view what, const std::set<CLI::Option*>& options) {
   if (options.empty()) return {};
   std::vector<std::string> names;

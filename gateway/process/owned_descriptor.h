@@ -6,7 +6,7 @@
 
 namespace gateway::process {
 
-/// A file descriptor of this process that is closed with the object. -1: none.
+/// A file descriptor of this process that is closed with the object; -1: none.
 class OwnedDescriptor {
  public:
   OwnedDescriptor() = default;

@@ -54,11 +54,11 @@ ProcessWatch::ProcessWatch(const ProcessIdentity& watched) : local_(watched.host
   // Not pidfd_open(): the C library's header of Debian 12 lacks extern "C".
   descriptor_ = static_cast<int>(syscall(SYS_pidfd_open, static_cast<pid_t>(watched.pid), 0));
   if (descriptor_ < 0) {
-    local_ = errno == ESRCH || errno == EINVAL;  // Otherwise this kernel cannot watch processes.
+    local_ = errno == ESRCH || errno == EINVAL;  // else this kernel cannot watch processes
     return;
   }
   if (start_time_of(watched.pid) == watched.start_time) return;
-  close(descriptor_);  // Another process has the pid by now.
+  close(descriptor_);  // another process has the pid by now
   descriptor_ = -1;
 }
 
@@ -77,7 +77,7 @@ bool ProcessWatch::is_dead() const {
 std::string ProcessWatch::cause() const {
   siginfo_t info{};
   const auto id = static_cast<id_t>(descriptor_);
-  // WNOWAIT: the status stays for whoever started the process.
+  // WNOWAIT: the status is left for the process that started it.
   const int result = descriptor_ < 0 ? -1 : waitid(P_PIDFD, id, &info, WEXITED | WNOWAIT | WNOHANG);
   if (result != 0 || info.si_pid == 0) return "is gone";
   if (info.si_code == CLD_EXITED) return fmt::format("exited with status {}", info.si_status);

@@ -24,9 +24,10 @@ std::optional<std::uint64_t> start_time_of(std::int64_t pid);
 class ProcessWatch {
  public:
   explicit ProcessWatch(const ProcessIdentity& watched);
-  /// Watches the process at the other end of a stream on this host, which writes nothing to it and
-  /// has its only descriptor. For a process in a parent pid namespace, which has no pid here.
-  /// @param channel  stays the caller's.
+  /// Watches the process at the other end of a stream socket on this host. That process must not
+  /// write to it and must have its only descriptor. For a process in a parent pid namespace, which
+  /// has no pid here.
+  /// @param channel  remains the caller's.
   explicit ProcessWatch(int channel);
   ~ProcessWatch();
   ProcessWatch(const ProcessWatch&) = delete;

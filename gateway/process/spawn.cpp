@@ -68,11 +68,11 @@ void prepare(const Command& command, Prepared& prepared) {
   }
 }
 
-/// In the child. Writes errno to `report` if the program cannot be started.
+/// Runs in the child. Writes errno to `report` if the program cannot be started.
 [[noreturn]] void become(const Prepared& prepared, int report) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != prepared.parent) _exit(127);  // The parent died before the line above.
+  if (getppid() != prepared.parent) _exit(127);  // the parent died before the line above
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -80,7 +80,7 @@ void prepare(const Command& command, Prepared& prepared) {
   dup2(input, STDIN_FILENO);
   dup2(prepared.log, STDOUT_FILENO);
   dup2(prepared.log, STDERR_FILENO);
-  // Fast DDS opens its sockets without O_CLOEXEC: the program would hold our ports.
+  // Fast DDS opens its sockets without O_CLOEXEC: the program would keep our ports in use.
   close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
   execve(prepared.program.c_str(), prepared.arguments.data(), prepared.environment.data());
   const int error = errno;
@@ -88,7 +88,7 @@ void prepare(const Command& command, Prepared& prepared) {
   _exit(127);
 }
 
-/// The child's errno, or 0 once exec has closed its end.
+/// The child's errno; 0 if exec succeeded, which closes the child's end.
 int exec_error(int report) {
   int error = 0;
   while (read(report, &error, sizeof error) < 0 && errno == EINTR) continue;
@@ -157,7 +157,7 @@ pid_t Spawner::start(const Command& command) {
     throw;
   }
   close(prepared.log);
-  setpgid(pid, pid);  // Also here: the child may not have come to it. Fails once it has.
+  setpgid(pid, pid);  // also here, in case the child has not done it yet; fails after its exec
   const int descriptor = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
   children_.push_back({command.program.filename().string(), command.log, pid, descriptor});
   return pid;
@@ -206,7 +206,7 @@ std::vector<Ending> Spawner::stop_all() {
   std::vector<Ending> endings;
   for (const Child& child : children_) {
     if (!has_ended(child.descriptor)) kill(child.pid, SIGKILL);
-    endings.push_back(ending_of(child.name, child.pid));  // Waits until it has ended.
+    endings.push_back(ending_of(child.name, child.pid));  // waits until it has ended
     rusage used{};
     wait4(child.pid, nullptr, 0, &used);
     endings.back().user_s = seconds(used.ru_utime) + seconds(used.ru_stime);

@@ -28,35 +28,35 @@ struct Ending {
   pid_t pid = 0;
   int status = 0;     ///< Exit status; 128 + signal if a signal killed it.
   std::string cause;  ///< "exited with status 2", "killed by signal 9".
-  double user_s = 0;  ///< Processor time of it and of those it waited for, the system's included.
+  double user_s = 0;  ///< Processor time, user and system, with waited-for children.
 };
 
-/// The last line of a program's output, for a message: ": its last line"; empty if there is none.
+/// The last line of a program's output for a message: ": its last line"; empty if there is none.
 std::string last_words(const std::filesystem::path& log);
 
 /// Controller processes started by this one. Each has its own process group, so Ctrl-C reaches only
 /// this process, and the kernel kills it when the thread that started it ends. One thread.
 class Spawner {
  public:
-  /// @param clock  by which it waits; outlives it.
+  /// @param clock  for waiting; outlives it.
   explicit Spawner(hal::Clock& clock = wall_clock()) : clock_(clock) {}
-  ~Spawner();  ///< As stop_all().
+  ~Spawner();  ///< Calls stop_all().
   Spawner(const Spawner&) = delete;
   Spawner& operator=(const Spawner&) = delete;
 
   /// @returns the pid. @throws std::runtime_error  if the program cannot be started.
   pid_t start(const Command& command);
 
-  /// Whether all run. Errors: kNotConnected with the name of the first that ended, how it ended and
-  /// its last line.
+  /// Whether all processes are running. Errors: kNotConnected with the name of the first that
+  /// ended, how it ended and its last line.
   hal::Result<void> check() const;
 
   /// Processes that a signal ended, with their last line of output, one per line.
   /// @param logs  folder that contains their logs now.
   std::vector<std::string> killed(const std::filesystem::path& logs) const;
 
-  /// Descriptor of the process that was started first: readable once it has ended. -1: there is
-  /// none.
+  /// Descriptor of the process that was started first; it becomes readable when that process has
+  /// ended. -1: there is none.
   int descriptor() const { return children_.empty() ? -1 : children_.front().descriptor; }
 
   /// Asks the running processes to end, without waiting.

@@ -11,7 +11,7 @@ namespace gateway::process {
 
 int with_output_written(int status) {
   errno = 0;
-  // Some of it may have failed before.
+  // An earlier write may have failed.
   const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written) return status;
   const char* const why = errno == 0 ? "could not be written" : std::strerror(errno);

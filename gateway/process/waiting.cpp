@@ -12,7 +12,7 @@
 namespace gateway::process {
 namespace {
 
-/// Longer than this is never: the sum with the time of day could overflow.
+/// Longer times are treated as unlimited: their sum with the time of day could overflow.
 constexpr hal::Duration kForEver = std::chrono::years{100};
 
 class WallClock final : public hal::Clock {
@@ -37,7 +37,7 @@ Signal::Signal() : descriptor_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
 Signal::~Signal() { close(descriptor_); }
 
 void Signal::raise() noexcept {
-  // It can only fail when the counter is full, and then the signal is raised.
+  // It can only fail if the counter is full, and then the signal is raised already.
   [[maybe_unused]] const int result = eventfd_write(descriptor_, 1);
 }
 

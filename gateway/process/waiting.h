@@ -24,8 +24,8 @@ class Signal {
 };
 
 /// Waits until one of the descriptors is readable. -1 is skipped.
-/// @param timeout  of the wall clock; Duration::max(): for ever.
-/// @returns whether one is. An interrupting signal handler counts as time that has passed.
+/// @param timeout  by the wall clock; Duration::max(): no limit.
+/// @returns whether one is readable. After an interruption by a signal handler it returns false.
 bool wait_readable(std::span<const int> descriptors, hal::Duration timeout);
 
 /// The wall clock, CLOCK_MONOTONIC, as a parameter for functions that wait.
@@ -35,7 +35,7 @@ hal::Clock& wall_clock();
 class Deadline {
  public:
   explicit Deadline(hal::Duration from_now);  ///< Duration::max(): never.
-  hal::Duration left() const;                 ///< 0 once it has passed.
+  hal::Duration left() const;                 ///< 0 after it has passed.
   bool has_passed() const { return left() <= hal::Duration::zero(); }
 
  private:

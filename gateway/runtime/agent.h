@@ -15,18 +15,18 @@ namespace gateway::runtime {
 ///   alive --throws-> over
 class Agent {
  public:
-  /// Errors: as ControllerHost::create. All but `session` outlive the agent.
+  /// Errors: as ControllerHost::create. All arguments except `session` outlive the agent.
   static hal::Result<std::unique_ptr<Agent>> create(
       const hal::ControllerKind& kind, const hal::node::exchange::AgentSession& session,
       const hal::node::exchange::Directory& directory, Outbox& outbox);
 
   const hal::node::exchange::AgentSession& session() const { return context_.session; }
-  /// Has been handed its START: another one is for a new controller.
+  /// Whether it has been handed its START; another START is for a new controller.
   bool has_started() const { return started_; }
 
-  /// Updates the state from the event and calls the callback that belongs to it.
+  /// Updates the state from the event and calls the corresponding callback.
   void handle(const hal::node::exchange::Event& event);
-  /// Is handed nothing more, and tells the run why.
+  /// Ends the agent: it is handed no more events, and the run is told the reason.
   void die(const char* message);
 
  private:
@@ -36,9 +36,9 @@ class Agent {
   void call_back(const hal::node::exchange::Event& event);
 
   AgentContext context_;
-  const std::string who_;  ///< For people.
+  const std::string who_;  ///< Name for messages.
   std::unique_ptr<hal::RealWorldObject> object_;
-  std::unique_ptr<hal::Controller> controller_;  ///< Goes before the object it refers to.
+  std::unique_ptr<hal::Controller> controller_;  ///< Destroyed before the object it refers to.
   bool started_ = false, over_ = false;
 };
 

@@ -20,7 +20,7 @@
 
 namespace gateway::runtime {
 
-/// State of one agent between events, from which its Mote or Robot answers.
+/// State of one agent between events, from which its Mote or Robot answers calls.
 struct AgentContext {
   /// @param names  outlives the context.
   AgentContext(const hal::node::exchange::AgentSession& agent_session,
@@ -34,30 +34,30 @@ struct AgentContext {
   /// returns the same as an error to the caller.
   tl::unexpected<hal::Error> refuse(std::string_view call, std::string_view mistake);
 
-  /// Whether the last action in the outbox keeps the rules of exchange::validate(). If not it is
-  /// taken back and refused.
+  /// Whether the last action in the outbox obeys the rules of exchange::validate(). If not, it is
+  /// removed and refused.
   hal::Result<void> judge_last();
 
-  /// Whether the controller asked who is who; if not, the call is refused.
+  /// Whether the controller asked for names of agents; if not, the call is refused.
   bool has_names(std::string_view call);
 
-  /// Logs how often mistakes were made that refuse() did not log. To be called in the end.
+  /// Logs how often mistakes were made that refuse() did not log. Call it at the end.
   void log_mistakes();
 
-  /// What the controller itself says; what it just says again of an error that refuse() gave it is
-  /// in the log already.
+  /// Logs a line of the controller itself. If the line just repeats the error that refuse()
+  /// returned to it, it is dropped, because that is in the log already.
   void log_of_controller(hal::log::Level level, std::string_view text);
 
   /// A log line of this agent's controller process.
   void log(hal::log::Level level, std::string text);
 
-  /// A timer may have been moved while its old event was under way: whether it is really due. If
-  /// so, it is no longer set.
+  /// Whether a timer is really due: it may have been moved while its old event was on its way. If
+  /// it is due, it is no longer set.
   bool take_due_timer(hal::TimerId id);
 
   const hal::node::exchange::AgentSession session;
-  const std::vector<std::string> states;   ///< That the controller declares; empty: it does not.
-  const std::vector<std::string> records;  ///< Names of values, likewise.
+  const std::vector<std::string> states;   ///< Declared by the controller; empty: it declares none.
+  const std::vector<std::string> records;  ///< Names of values, declared likewise.
   CallGuard guard;
   Outbox& outbox;
   hal::Time now{};
@@ -70,7 +70,7 @@ struct AgentContext {
   hal::Topics topics;
   hal::RecordedNames recorded;
   Mistakes mistakes;
-  std::string last_refusal;  ///< As the controller was told.
+  std::string last_refusal;  ///< The error as returned to the controller.
   std::map<hal::TimerId, hal::Time> timers;
 };
 

@@ -9,7 +9,7 @@ namespace gateway::runtime {
 /// of that agent's controller, on the thread that runs the callback.
 class CallGuard {
  public:
-  /// While this lives, a callback runs on this thread.
+  /// While this object exists, a callback runs on this thread.
   class Callback {
    public:
     explicit Callback(CallGuard& guard);

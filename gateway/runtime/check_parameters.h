@@ -14,7 +14,7 @@ namespace gateway::runtime {
 std::vector<std::string> check_parameters(
     const hal::ControllerKind& kind, const std::vector<hal::node::exchange::ParameterText>& given);
 
-/// The values, defaults filled in. @pre check_parameters(kind, given) found nothing.
+/// The values, with defaults filled in. @pre check_parameters(kind, given) is empty.
 hal::Parameters read_parameters(const hal::ControllerKind& kind,
                                 const std::vector<hal::node::exchange::ParameterText>& given);
 

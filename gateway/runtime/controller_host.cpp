@@ -41,8 +41,8 @@ void cut_at_zero(std::string& text) {
   if (zero != std::string::npos) text.resize(zero);
 }
 
-/// DDS ends strings at a zero byte; in process they must not be longer. Of the others
-/// exchange::validate() allows none.
+/// DDS ends strings at a zero byte, so strings in this process are cut there as well. In all other
+/// strings exchange::validate() allows no zero byte.
 void cut_at_zero(hal::node::exchange::Action& action) {
   std::visit(hal::Overloaded{
                  [](hal::node::exchange::SetState& state) { cut_at_zero(state.name); },
@@ -55,7 +55,8 @@ void cut_at_zero(hal::node::exchange::Action& action) {
 
 }  // namespace
 
-/// If that fails, the constructor threw; the old one stays and is handed nothing more.
+/// If the creation fails, the constructor threw; the old agent remains, but is handed no more
+/// events.
 void ControllerHost::make_anew(std::unique_ptr<Agent>& agent) {
   const hal::node::exchange::AgentSession session = agent->session();
   auto made = Agent::create(kind_, session, directory_, *outbox_);

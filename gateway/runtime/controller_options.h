@@ -14,14 +14,14 @@ namespace gateway::runtime {
 struct ControllerOptions {
   std::vector<std::string> agents;  ///< Patterns; `*` and `?` match as in a shell. At least one.
   std::optional<int> domain;        ///< DDS domain, 0..232; empty: the environment decides.
-  std::string name;                 ///< Of the process; empty: program.pid.
+  std::string name;                 ///< Name of the process; empty: program.pid.
   bool stay = false;                ///< After a run, wait for the next one.
-  hal::Duration wait = std::chrono::seconds{30};      ///< For a server; Duration::max(): for ever.
-  hal::log::Level level = hal::log::Level::kWarning;  ///< Of what the process says by itself.
+  hal::Duration wait = std::chrono::seconds{30};      ///< For a server; Duration::max(): no limit.
+  hal::log::Level level = hal::log::Level::kWarning;  ///< For messages of the process itself.
 };
 
-/// Options, or nothing: then help or the mistake has been printed and the program ends with
-/// `exit_status` (0 after --help, 2 after a mistake).
+/// The options. If there are none, help or an error has been printed, and the program should end
+/// with `exit_status` (0 after --help, 2 after a mistake).
 struct ParsedOptions {
   std::optional<ControllerOptions> options;
   int exit_status = 0;

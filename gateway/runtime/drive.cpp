@@ -12,7 +12,7 @@ double speed_of(const std::array<double, 3>& row, const hal::Twist2& twist) {
   return row[0] * twist.vx + row[1] * twist.vy + row[2] * twist.omega;
 }
 
-/// The feasible motion that the wheels make of a command: see hal/node/devices/wheel_drive.h.
+/// The feasible motion that the wheels produce for a command: see hal/node/devices/wheel_drive.h.
 hal::Twist2 feasible(const hal::node::exchange::DriveLimits& limits, const hal::Twist2& twist) {
   if (limits.wheel_to_body.empty()) return twist;
   hal::Twist2 motion;
@@ -26,7 +26,7 @@ hal::Twist2 feasible(const hal::node::exchange::DriveLimits& limits, const hal::
   return motion;
 }
 
-/// Whether two velocities differ by more than rounding. m/s, rad/s
+/// Whether two velocities (m/s, rad/s) differ by more than rounding.
 bool differ(const hal::Twist2& a, const hal::Twist2& b) {
   constexpr double kRounding = 1e-9;
   return std::abs(a.vx - b.vx) > kRounding || std::abs(a.vy - b.vy) > kRounding ||

@@ -12,9 +12,9 @@ namespace gateway::runtime {
 namespace {
 
 std::atomic<const ExitWatch::Handler*> current{nullptr};
-std::atomic<pid_t> watched{0};  ///< The process with the watch: a forked one has the same memory.
+std::atomic<pid_t> watched{0};  ///< The watched process: a forked child has a copy of this memory.
 
-/// Returns if nobody watches.
+/// Returns if there is no watch.
 void on_call(const char* function, int status) {
   if (::getpid() != watched) return;
   const auto* const handler = current.exchange(nullptr);
@@ -45,8 +45,8 @@ std::string ExitCall::text() const {
 }
 
 ExitWatch::ExitWatch(Handler handler) : handler_(std::move(handler)) {
-  // Handlers run in the opposite order of their registration: this one before the destructors of
-  // everything that has been made by now.
+  // Handlers run in the reverse order of their registration: this one before the destructors of all
+  // objects that exist now.
   ::on_exit(on_exit_called, nullptr);
   watched = ::getpid();
   current = &handler_;
@@ -56,8 +56,8 @@ ExitWatch::~ExitWatch() { current = nullptr; }
 
 }  // namespace gateway::runtime
 
-// A function of a program takes the place of the one in the C library of the same name, for the
-// program and for what it loads, if the program exports it (CMakeLists.txt).
+// A function of the program replaces the C library's function of the same name, for the program and
+// for all plug-ins, if the program exports it (CMakeLists.txt).
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 extern "C" {
 void _exit(int status) {

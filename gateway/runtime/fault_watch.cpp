@@ -22,14 +22,14 @@
 #include "hal/node/exchange/foreign_call.h"
 #include "hal/types/printable.h"
 
-// What runs in a signal's handler takes no memory and no lock: texts are formatted into arrays, of
-// whole numbers and texts only.
+// Code that runs in a signal handler allocates no memory and takes no lock: texts are formatted
+// into arrays, from integers and texts only.
 
 namespace gateway::runtime {
 namespace {
 
-/// By default each of them ends the process. Not SIGINT, SIGTERM, SIGHUP and SIGQUIT, by which
-/// people end programs.
+/// By default each of these ends the process. SIGINT, SIGTERM, SIGHUP and SIGQUIT are not included,
+/// because people end programs with them.
 constexpr std::array kDeadlySignals{SIGSEGV, SIGBUS,  SIGFPE,    SIGILL,  SIGABRT, SIGSYS,
                                     SIGTRAP, SIGXCPU, SIGXFSZ,   SIGALRM, SIGPIPE, SIGVTALRM,
                                     SIGPROF, SIGIO,   SIGSTKFLT, SIGPWR,  SIGUSR1, SIGUSR2};
@@ -38,7 +38,7 @@ constexpr std::size_t kSignalStack = std::size_t{1} << 17;  // bytes
 
 enum class Told : std::uint8_t { kNothing, kTelling, kHeld, kOver };
 
-/// Texts of up to N - 1 bytes; what is longer is cut.
+/// A text of up to N - 1 bytes; longer texts are cut.
 template <std::size_t N>
 struct Line {
   std::array<char, N> bytes{};
@@ -53,13 +53,13 @@ struct Line {
   std::string_view text() const { return {bytes.data(), size}; }
 };
 
-std::atomic<pid_t> watching{0};  ///< The process with the watch: a forked one has the same memory.
+std::atomic<pid_t> watching{0};  ///< The watched process: a forked child has a copy of this memory.
 std::atomic<Told> told{Told::kNothing};
 bool holds = false;
 thread_local bool has_signal_stack = false;
 Line<128> prefix_of_lines;
 Line<512> uncaught;  ///< The exception that is ending the process; empty: none.
-Line<1024> fault;    ///< The whole of what was told, without the prefix.
+Line<1024> fault;    ///< All that was reported, without the prefix.
 
 bool comes_from_an_instruction(int signal, const siginfo_t& info) {
   const bool is_fault =
@@ -85,7 +85,7 @@ void add_time(hal::Time at) {
   fault.add(" at {}.{:09} s", ns / kSecond, ns % kSecond);
 }
 
-/// What happened in which call, into `fault`. @param seized  the call under way, of any thread.
+/// Writes into `fault` what happened in which call. @param seized  the current call, of any thread.
 void describe(int signal, const siginfo_t& info, const hal::node::exchange::ForeignCall* own,
               const std::optional<hal::node::exchange::SeizedCall>& seized) {
   fault.size = 0;
@@ -112,7 +112,7 @@ void tell() {
   }
 }
 
-/// Until the results are written.
+/// Holds this thread until the results are written.
 void hold() {
   told = Told::kHeld;
   constexpr timespec kNap{0, 10'000'000};  // ns
@@ -134,11 +134,12 @@ void on_signal(int signal, siginfo_t* info, void* context) {
     while (true) ::pause();  // another thread's fault is ending the process
   }
   errno = error;
-  // The handler is gone (SA_RESETHAND): the instruction fails again, or the signal comes again.
+  // The handler is removed now (SA_RESETHAND): the instruction fails again, or the signal is raised
+  // again.
   if (!comes_from_an_instruction(signal, *info)) ::raise(signal);
 }
 
-/// "uncaught exception std::runtime_error: TEXT".
+/// Reports "uncaught exception std::runtime_error: TEXT".
 void on_terminate() {
   try {
     const std::exception_ptr thrown = std::current_exception();
@@ -161,7 +162,7 @@ void on_terminate() {
 
 }  // namespace
 
-/// What there was before.
+/// The previous handlers.
 struct FaultWatch::Handlers {
   std::vector<std::pair<int, struct sigaction>> actions;
   std::terminate_handler terminate = nullptr;

@@ -11,8 +11,8 @@
 namespace gateway::runtime {
 
 /// An alternate stack for signal handlers of its thread, so that a stack overflow can be reported.
-/// Destroy it on the thread that made it. Of several on a thread, only the first one counts; their
-/// lifetimes need not be nested.
+/// Destroy it on the thread that made it. If a thread has several, only the first one is used;
+/// their lifetimes need not be nested.
 class SignalStack {
  public:
   SignalStack();
@@ -21,7 +21,7 @@ class SignalStack {
   SignalStack& operator=(const SignalStack&) = delete;
 
  private:
-  std::vector<char> bytes_;  ///< Empty: the thread had one.
+  std::vector<char> bytes_;  ///< Empty: the thread had one already.
   stack_t before_{};
 };
 
@@ -38,18 +38,19 @@ class SignalStack {
 /// time.
 class FaultWatch {
  public:
-  /// @param prefix  of the message: "error", the name of a process.
-  /// @param held    a fault during a call holds its thread for up to 5 s, until end(): time to
-  ///                write results on another thread. The call is seized (hal/node/exchange).
+  /// @param prefix  of the message: "error", or the name of a process.
+  /// @param held  a fault during a call holds its thread until end(), for up to 5 s, so that
+  /// another thread can write results. The call is seized (hal/node/exchange).
   explicit FaultWatch(std::string_view prefix, bool held = false);
   ~FaultWatch();
   FaultWatch(const FaultWatch&) = delete;
   FaultWatch& operator=(const FaultWatch&) = delete;
 
-  /// Text of the fault that holds its thread; none so far. Any thread.
+  /// Text of the fault that holds its thread; none: there was no fault. Any thread.
   static std::optional<std::string> held_fault();
 
-  /// Results are written: the process ends by the signal of the fault that was held. Any thread.
+  /// Call when the results are written: the process ends by the signal of the held fault. Any
+  /// thread.
   [[noreturn]] static void end();
 
  private:

@@ -9,7 +9,7 @@
 
 namespace gateway::runtime {
 
-/// Controllers in this process: the exchange is a call.
+/// A port to controllers in this process: an exchange is a function call.
 class InProcessPort : public hal::node::exchange::ControllerPort {
  public:
   InProcessPort(std::string name, std::unique_ptr<ControllerHost> host);
@@ -17,13 +17,13 @@ class InProcessPort : public hal::node::exchange::ControllerPort {
   const std::string& name() const override { return name_; }
   /// Computes the answer. Never fails.
   hal::Result<void> begin(const hal::node::exchange::Step& step) override;
-  hal::Result<hal::node::exchange::Reply> finish() override;  ///< Hands it over. Never fails.
+  hal::Result<hal::node::exchange::Reply> finish() override;  ///< Returns the answer; never fails.
   hal::Result<void> check_alive() override { return {}; }
 
  private:
   std::string name_;
   std::unique_ptr<ControllerHost> host_;
-  std::optional<hal::node::exchange::Reply> reply_;  ///< Empty: no Step is under way.
+  std::optional<hal::node::exchange::Reply> reply_;  ///< Empty: no Step is in progress.
 };
 
 }  // namespace gateway::runtime

@@ -7,10 +7,10 @@
 namespace gateway::runtime {
 namespace {
 
-/// A controller that invents new kinds for ever does not get more of the log than this.
+/// Limits the log of a controller that always makes new kinds of mistakes.
 constexpr std::size_t kMostKinds = 32;
 
-/// The text without numbers and what stands in quotation marks.
+/// The text without numbers and quoted parts.
 std::string kind_in(std::string_view text) {
   std::string kind;
   bool quoted = false;

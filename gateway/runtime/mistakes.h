@@ -14,18 +14,19 @@ namespace gateway::runtime {
 /// cycle. Mistakes are of one kind if they differ in numbers and quoted names only.
 class Mistakes {
  public:
-  /// @return what is to be logged: the first of a kind as it is, the 10th, 100th, … with their
-  ///   number, nothing of the others.
+  /// @return what is to be logged: the first mistake of a kind unchanged, the 10th, 100th, … with
+  /// their number, nothing for the others.
   std::optional<std::string> add(const std::string& text);
 
-  /// One line per kind of which some were not logged, with their number, in order of appearance.
+  /// One line with the number for each kind of which some mistakes were not logged, in order of
+  /// first occurrence.
   std::vector<std::string> rest() const;
 
  private:
   struct Kind {
-    std::string first;  ///< As it was said.
+    std::string first;  ///< Text of the first.
     std::uint64_t count = 0;
-    std::uint64_t told = 0;  ///< The count that was logged last.
+    std::uint64_t told = 0;  ///< Count at the last log line.
   };
   Kind& kind_of(const std::string& text);
 

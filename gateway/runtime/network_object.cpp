@@ -18,8 +18,8 @@ hal::Result<void> NetworkObject::invalidate(std::string_view topic, hal::AgentId
   context_.outbox.add(
       hal::node::exchange::Invalidate{.destination = destination, .topic = std::string(topic)});
   if (auto good = context_.judge_last(); !good) return good;
-  // At once, so that the controller does not find again what it has just thrown away; the agent's
-  // own table follows when the action takes effect.
+  // Removed at once, so that the controller does not find the route that it has just invalidated;
+  // the agent's own table follows when the action takes effect.
   context_.routes.forget(topic, destination);
   return {};
 }

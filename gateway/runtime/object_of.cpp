@@ -8,10 +8,10 @@
 namespace gateway::runtime {
 namespace {
 
-/// Places in a reading of the channel battery (hal/types/channel.h).
+/// Indices in a reading of the channel battery (hal/types/channel.h).
 constexpr std::size_t kCharge = 0, kEnergy = 3, kCapacity = 4;
 
-/// Cuts between characters, so that what is left of UTF-8 text is UTF-8.
+/// Cuts between characters, so that UTF-8 text remains valid.
 std::string_view cut(std::string_view text, std::size_t limit) {
   if (text.size() <= limit) return text;
   const auto is_inside_character = [&](std::size_t i) {
@@ -173,7 +173,7 @@ template <class Interface>
 void ObjectOf<Interface>::state(std::string_view name) {
   context_.guard.check("state");
   if (name.empty()) {
-    // Nothing to return an error in: the log has to do.
+    // The function cannot return an error, so it is only logged.
     (void)context_.refuse(
         "state", fmt::format("name is empty, 1 to {} bytes are allowed", hal::kMaxRecordedName));
     return;
@@ -199,7 +199,7 @@ void ObjectOf<Interface>::record(std::string_view name, double value) {
     return;
   }
   context_.outbox.add(hal::node::exchange::Record{std::string(name), value, context_.now});
-  if (!context_.judge_last()) return;  // logged: there is nothing to return an error in
+  if (!context_.judge_last()) return;  // logged: the function cannot return an error
   if (const auto admitted = context_.recorded.admit(name); !admitted) {
     context_.outbox.take_back();
     (void)context_.refuse("record", admitted.error().message);

@@ -8,7 +8,7 @@
 
 namespace gateway::runtime {
 
-/// The actions of one Reply, as they gather in the order of the controllers' calls.
+/// Collects the actions of one Reply in the order of the controllers' calls.
 class Outbox {
  public:
   /// From now on, actions answer this event of this agent.
@@ -17,7 +17,7 @@ class Outbox {
     event_ = event;
   }
 
-  /// Appends an action of this kind. The reference is good until the next call.
+  /// Appends an action. The reference is valid until the next call.
   template <class What>
   What& add(What what) {
     hal::node::exchange::Action& action = actions_.emplace_back();
@@ -26,13 +26,13 @@ class Outbox {
     return action.what.template emplace<What>(std::move(what));
   }
 
-  /// The action that was added last; @pre there is one that was not taken.
+  /// The action that was added last. @pre there is one that has not been taken.
   const hal::node::exchange::Action& last() const { return actions_.back(); }
   void take_back() { actions_.pop_back(); }
 
   std::vector<hal::node::exchange::Action> take() {
     std::vector<hal::node::exchange::Action> taken = std::exchange(actions_, {});
-    actions_.reserve(taken.size());  // The next Reply is often as long.
+    actions_.reserve(taken.size());  // the next Reply often has the same length
     return taken;
   }
 

@@ -21,8 +21,8 @@ tl::unexpected<hal::Error> wrong(std::string what) {
   return hal::fail(hal::Errc::kInvalidArgument, std::move(what));
 }
 
-/// Nothing, or why the number cannot be used: a time that no Duration holds, the controller would
-/// compute with garbage.
+/// Empty, or why the number cannot be used: if a time does not fit into a Duration, the controller
+/// would compute with an undefined value.
 /// @param value  in the unit of `spec`.
 std::string beyond_time(const hal::ParameterSpec& spec, double value, const std::string& text) {
   const hal::files::config::Unit& unit = *hal::files::config::find_unit(spec.unit);
@@ -60,7 +60,7 @@ hal::Result<hal::ParameterValue> parse_numbers(const hal::ParameterSpec& spec,
   return hal::ParameterValue(std::move(values));
 }
 
-/// Nothing, or why the parameter may not be this text.
+/// Empty, or why the parameter cannot have this text.
 std::string no_choice(const hal::ParameterSpec& spec, const std::string& text) {
   if (spec.choices.empty() || std::ranges::count(spec.choices, text) > 0) return {};
   return fmt::format("'{}' is not one of {}{}", text, fmt::join(spec.choices, ", "),

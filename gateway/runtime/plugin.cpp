@@ -74,7 +74,7 @@ std::vector<fs::path> controller_folders() {
 
 namespace {
 
-/// "; /home/me/x.so is a link to a file that is not there", or nothing.
+/// "; /home/me/x.so is a link to a file that is not there", or empty.
 std::string broken_link(const fs::path& file_name, const std::vector<fs::path>& folders) {
   for (const fs::path& folder : folders) {
     std::error_code ignored;
@@ -84,14 +84,14 @@ std::string broken_link(const fs::path& file_name, const std::vector<fs::path>& 
   return "";
 }
 
-/// "; did you mean 'wanderer'?", or nothing.
+/// "; did you mean 'wanderer'?", or empty.
 std::string similar_plugin(std::string_view name, const std::vector<fs::path>& folders) {
   std::set<std::string> names;
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
       std::error_code unknown;
-      const bool is_there = at->is_regular_file(unknown);  // not a link that leads nowhere
+      const bool is_there = at->is_regular_file(unknown);  // false for a broken link
       if (is_there && at->path().extension() == ".so") names.insert(at->path().stem().string());
     }
   }

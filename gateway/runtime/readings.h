@@ -12,17 +12,17 @@
 
 namespace gateway::runtime {
 
-/// The latest values of an agent's channels, held until the next sample, or until the host says
-/// that they are too old.
+/// The latest values of an agent's channels. They are kept until the next sample, or until the host
+/// says that they are too old.
 class Readings {
  public:
   explicit Readings(const std::vector<hal::Channel>& channels) : channels_(channels) {}
 
-  /// Errors: kProtocol (a channel the session does not have; another number of values than the
-  /// channel's). The old values stay.
+  /// Stores a reading. Errors: kProtocol (a channel that the session does not have; a wrong number
+  /// of values). The old values are kept then.
   hal::Result<void> hold(const hal::node::exchange::Reading& reading);
 
-  /// Null: the agent has no such channel, or the controller did not ask for it.
+  /// Null if the agent has no such channel, or the controller did not ask for it.
   const hal::Channel* find(std::string_view channel) const;
 
   /// Errors: kNotAvailable (no such channel, not asked for, not sampled yet, lost).

@@ -19,7 +19,7 @@ class RobotObject : public ObjectOf<hal::Robot> {
   hal::Result<hal::Pose2> pose() const override;
 
  private:
-  /// Errors: kNotAvailable (as Readings::values; another number of values).
+  /// Errors: kNotAvailable (as Readings::values; or a wrong number of values).
   hal::Result<std::span<const double>> values(const char* channel, std::size_t count) const;
 };
 

@@ -22,16 +22,16 @@ class RouteView {
 
   void take_in(const hal::node::exchange::Event& event);
 
-  /// By next hop.
+  /// Sorted by next hop.
   std::vector<hal::Route> routes(std::string_view topic, hal::AgentId destination) const;
 
-  /// By address.
+  /// Sorted by address.
   const std::vector<hal::Neighbour>& neighbours() const { return neighbours_; }
 
   void forget(std::string_view topic, hal::AgentId destination);
 
  private:
-  /// Topic, destination, next hop
+  /// Topic, destination, next hop.
   using Key = std::tuple<std::string, hal::AgentId, hal::AgentId>;
   using Table = std::map<Key, hal::PathStatistics>;
 

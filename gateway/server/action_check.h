@@ -11,7 +11,7 @@ namespace gateway::server {
 enum class ActionVerdict {
   kGood,
   kForeign,    ///< For an agent that the process was not granted.
-  kMalformed,  ///< It answers no event of its agent; gateway/runtime never sends such a one.
+  kMalformed,  ///< Answers no event of its agent; gateway/runtime never sends this.
 };
 
 /// Checks whether an action from the network, which any program may have written, answers an event

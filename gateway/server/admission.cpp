@@ -18,7 +18,7 @@ const char* name_of(hal::AgentKind kind) {
   return kind == hal::AgentKind::kRobot ? "robot" : "mote";
 }
 
-/// A pattern that fits no name but itself: most are, where many agents are asked for one by one.
+/// Whether a pattern matches only its own text. Most do, if many agents are asked for individually.
 bool is_plain(const std::string& pattern) {
   return pattern.find_first_of("*?") == std::string::npos;
 }

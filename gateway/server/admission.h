@@ -21,41 +21,41 @@ namespace gateway::server {
 /// that matches none of this server's is left to them.
 class Admission {
  public:
-  /// Share of the domain's agents. kSome: other servers of the domain have more, so it suffices
-  /// that one of several patterns of a process matches an agent.
+  /// Which of the domain's agents this server has. kSome: other servers of the domain have more, so
+  /// it suffices that one of several patterns of a process matches an agent.
   enum class Offered : std::uint8_t { kAll, kSome };
 
   Admission(std::vector<hal::node::exchange::AgentOffer> offers, std::uint64_t run,
             Offered offered = Offered::kAll);
 
-  /// The Session for a Hello; `refusal` says why not. `server` is left empty. A Hello that was
-  /// granted before gets the same Session again.
+  /// The Session for a Hello; `refusal` is the reason if it is refused. `server` is left empty. A
+  /// Hello that was granted before gets the same Session again.
   hal::node::exchange::Session decide(const hal::node::exchange::Hello& hello);
 
-  /// Whether the Hello is to be left to other servers.
+  /// Whether the Hello should be left to other servers.
   bool is_for_others(const hal::node::exchange::Hello& hello) const;
 
-  void release(const std::string& instance);  ///< Its agents are free again.
+  void release(const std::string& instance);  ///< Frees its agents.
   void close() { closed_ = true; }            ///< The run begins: later Hellos are refused.
 
   bool is_complete() const;
-  /// Agents without a controller, by address.
+  /// Agents without a controller, sorted by address.
   std::vector<hal::AgentId> free_agents() const;
-  /// Agents without a controller, with the program that should drive them if it is named:
-  /// "m1 (help_mote)".
+  /// Agents without a controller, with the program that should drive them if it is named: "m1
+  /// (help_mote)".
   std::vector<std::string> missing() const;
 
  private:
   struct Place {
     hal::node::exchange::AgentOffer offer;
-    std::string holder;  ///< Instance; empty: free.
+    std::string holder;  ///< Instance id; empty: free.
   };
   std::string refusal_of(const hal::node::exchange::Hello& hello) const;
-  /// Calls visit(place) for each one that the pattern fits.
+  /// Calls visit(place) for each agent that the pattern matches.
   template <class Visit>
   void for_each_fit(const std::string& pattern, Visit visit) const;
   bool fits_one(const std::string& pattern) const;
-  /// Indices in places_ of those that are asked for, ascending.
+  /// Indices in places_ of the agents that a Hello asks for, in ascending order.
   std::vector<std::size_t> asked_for(const hal::node::exchange::Hello& hello) const;
   std::string unknown_in(const hal::node::exchange::Hello& hello) const;
   std::string objection(const Place& place, const hal::node::exchange::Hello& hello) const;

@@ -11,11 +11,11 @@
 
 namespace gateway::server {
 
-/// Told of each answer of a controller, when it is taken in.
+/// Called for each answer of a controller when it is received.
 using ReplyRecord = std::function<void(const hal::node::exchange::Reply&)>;
 
-/// The port of a controller that runs inside its agent's network. It hears others there, so its
-/// answers do not follow from what the run tells it, and each is recorded.
+/// The port of a controller that runs inside its agent's network. It communicates with others
+/// there, so its answers do not follow from what the run sends it: each is recorded.
 class RecordedPort final : public hal::node::exchange::ControllerPort {
  public:
   RecordedPort(std::shared_ptr<hal::node::exchange::ControllerPort> port, ReplyRecord record)
@@ -35,7 +35,8 @@ class RecordedPort final : public hal::node::exchange::ControllerPort {
   ReplyRecord record_;
 };
 
-/// Such a controller in a repetition: its answers as they were recorded, one after the other.
+/// The port of such a controller in a repetition: returns the recorded answers, one after the
+/// other.
 class RepeatedPort final : public hal::node::exchange::ControllerPort {
  public:
   RepeatedPort(std::string name, std::deque<hal::node::exchange::Reply> replies, ReplyRecord record)
@@ -43,7 +44,7 @@ class RepeatedPort final : public hal::node::exchange::ControllerPort {
 
   const std::string& name() const override { return name_; }
   hal::Result<void> begin(const hal::node::exchange::Step& step) override;
-  /// Errors: kProtocol (the record has no answer any more, or one to another Step).
+  /// Errors: kProtocol (the record has no more answers, or the next one answers another Step).
   hal::Result<hal::node::exchange::Reply> finish() override;
   hal::Result<void> check_alive() override { return {}; }
 
@@ -51,7 +52,7 @@ class RepeatedPort final : public hal::node::exchange::ControllerPort {
   std::string name_;
   std::deque<hal::node::exchange::Reply> replies_;
   ReplyRecord record_;
-  std::vector<hal::AgentId> asked_;  ///< Whom the events of the Step under way are for.
+  std::vector<hal::AgentId> asked_;  ///< Agents of the events of the current Step.
   std::uint64_t run_ = 0, sequence_ = 0;
 };
 

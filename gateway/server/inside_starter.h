@@ -13,12 +13,12 @@ namespace gateway::server {
 /// A controller to be started inside its agent's network.
 struct InsideProgram {
   std::vector<std::string> arguments;  ///< The first is the program, with its folder.
-  std::vector<std::pair<std::string, std::string>> environment;  ///< Beside this process's own.
+  std::vector<std::pair<std::string, std::string>> environment;  ///< Added to this process's own.
   std::filesystem::path log;        ///< Its standard output and error are appended here.
   std::vector<int> inherited = {};  ///< Descriptors of this process that it keeps.
 };
 
-/// Starts controllers inside their agents' networks. They end with it.
+/// Starts controllers inside their agents' networks. They end with this object.
 class InsideStarter {
  public:
   virtual ~InsideStarter() = default;
@@ -26,8 +26,9 @@ class InsideStarter {
   /// @throws std::runtime_error  it cannot be started.
   virtual void start(hal::AgentId agent, const InsideProgram& program) = 0;
 
-  /// Whether all that were started still run. Only before the run, where nobody else is told of
-  /// ends. Errors: kNotConnected, naming the first that ended, how, and its last words.
+  /// Whether all started controllers are running. Use it only before the run; during the run others
+  /// are told of ends. Errors: kNotConnected, with the name of the first that ended, how, and its
+  /// last line.
   virtual hal::Result<void> check() = 0;
 };
 

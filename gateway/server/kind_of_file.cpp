@@ -20,7 +20,7 @@ using Keys = std::vector<std::string>;
 struct Words {
   std::string_view kind;
   std::string_view use;
-  /// Of the top level; one of them tells the kind if no row above has told it.
+  /// Keys of the top level; one of them identifies the kind if no row above has matched.
   std::vector<std::string_view> keys;
 };
 
@@ -40,7 +40,7 @@ bool has_one_of(const Keys& keys, const std::vector<std::string_view>& telling) 
       telling, [&](std::string_view key) { return std::ranges::find(keys, key) != keys.end(); });
 }
 
-/// What a file is that is no hardware file; nothing: it may be one.
+/// The message that a file is of another kind; nullopt: it may be a hardware file.
 std::optional<std::string> told_by(const Keys& keys, const std::string& file) {
   const auto row =
       std::ranges::find_if(words(), [&](const Words& one) { return has_one_of(keys, one.keys); });

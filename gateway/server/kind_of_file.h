@@ -5,12 +5,13 @@
 
 namespace gateway::server {
 
-/// What takes a file of a kind (FileKind): "`baraka run FILE` runs it". @param kind  one of those.
+/// How a file of a kind (FileKind) is used: "`baraka run FILE` runs it". @param kind  name of the
+/// kind.
 std::string use_of(const std::string& kind);
 
-/// Does what a program does with a hardware file. If the file is wrong and clearly of another kind,
-/// by keys that only that has, this is the one mistake that is told. For programs without the
-/// readers of all kinds; others have baraka/commands/wrong_kind.h.
+/// Runs `act`, what a program does with a hardware file. If the file is wrong and its keys show
+/// that it is of another kind, only this mistake is reported. For programs without the readers of
+/// all kinds; others use baraka/commands/wrong_kind.h.
 /// @return what `act` returns. @throws hal::files::config::ConfigErrors, and whatever `act` throws.
 int with_hardware_file(const std::string& file, const std::function<int()>& act);
 

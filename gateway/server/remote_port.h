@@ -11,7 +11,7 @@
 
 namespace gateway::server {
 
-/// The port of a host to one controller process: a link whose Replies are judged action by action.
+/// The port of a host to one controller process: a link whose Replies are checked action by action.
 class RemotePort : public hal::node::exchange::ControllerPort {
  public:
   /// @param before_begin  called with the time of each Step before it is sent.
@@ -26,25 +26,25 @@ class RemotePort : public hal::node::exchange::ControllerPort {
   std::vector<int> descriptors() const override;
   hal::Result<void> check_alive() override;
 
-  /// Wakes up poll() when the process dies; -1 if it runs on another host.
+  /// Descriptor that wakes up poll() when the process dies; -1 if it runs on another host.
   int death_descriptor() const { return link_ ? link_->death_descriptor() : -1; }
 
   ProcessSummary summary() const;
 
-  /// Lets go of the server, which may end before the host that holds this port. Every exchange
-  /// fails from now on.
+  /// Separates the port from the server, which may end before the host that holds this port. Every
+  /// later exchange fails.
   void disconnect();
 
  private:
   hal::node::exchange::Reply checked(hal::node::exchange::Reply reply);
   bool is_good(const hal::node::exchange::Action& action);
 
-  std::unique_ptr<exchange::ProcessLink> link_;  ///< Null once disconnected.
+  std::unique_ptr<exchange::ProcessLink> link_;  ///< Null after disconnect().
   std::vector<hal::node::exchange::AgentSession> granted_;
   std::function<void(hal::Time)> before_begin_;
-  std::string who_;                  ///< For people.
-  std::vector<hal::AgentId> asked_;  ///< Whom the events of the Step under way are for.
-  hal::Time step_time_{};            ///< Of the first of them.
+  std::string who_;                  ///< Name for messages.
+  std::vector<hal::AgentId> asked_;  ///< Agents of the events of the current Step.
+  hal::Time step_time_{};            ///< Time of its first event.
   ProcessSummary summary_;
 };
 

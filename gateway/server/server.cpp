@@ -18,9 +18,9 @@ namespace {
 using hal::node::exchange::Hello;
 using hal::node::exchange::Session;
 
-/// How often gather() asks whether to go on.
+/// Period in which gather() asks whether to go on.
 constexpr hal::Duration kAskEvery = std::chrono::milliseconds{100};
-/// Refusals and processes that a summary tells of: a daemon runs for months.
+/// Maximum number of refusals and processes in a summary: a daemon runs for months.
 constexpr std::size_t kMostRemembered = 1000;
 
 void log(hal::log::Level level, hal::Time at, const std::string& text) {
@@ -63,7 +63,7 @@ class AgentServer::Implementation {
   GatewaySummary summary() const;
 
  private:
-  /// A process that was granted agents, until the run begins.
+  /// A process that was granted agents; kept until the run begins.
   struct Candidate {
     Hello hello;
     Session session;
@@ -92,8 +92,8 @@ class AgentServer::Implementation {
     std::shared_ptr<RemotePort> port;
   };
   std::vector<Connected> connected_;
-  std::vector<ProcessSummary> past_;             ///< Of processes that were let go.
-  std::map<std::string, std::string> refusals_;  ///< The last that was told, by instance.
+  std::vector<ProcessSummary> past_;             ///< Summaries of processes that were disconnected.
+  std::map<std::string, std::string> refusals_;  ///< The last one that was reported, by instance.
 };
 
 hal::Result<void> AgentServer::Implementation::gather(
@@ -105,7 +105,7 @@ hal::Result<void> AgentServer::Implementation::gather(
     release_dead();
     if (admission_.is_complete()) break;
     if (auto allowed = keep_waiting(); !allowed) return allowed;
-    // Many processes take long to start: as long as they come there is no reason to give up.
+    // Many processes take long to start: as long as more of them join, the wait goes on.
     if (candidates_.size() > joined) deadline = process::Deadline(settings_.wait);
     joined = candidates_.size();
     if (!deadline.has_passed()) continue;
@@ -154,7 +154,7 @@ void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
   send(session, hello, now);
 }
 
-/// The directory is put in here, so that it is not kept once for each process.
+/// The directory is added here, so that it is not kept for each process.
 void AgentServer::Implementation::send(Session session, const Hello& hello, hal::Time now) {
   const bool is_granted = session.refusal.empty();
   if (is_granted && hello.wants.names) session.directory = host_.directory();
@@ -214,7 +214,7 @@ void AgentServer::Implementation::connect_all() {
   std::vector<Candidate> candidates;
   for (auto& [instance, candidate] : candidates_) candidates.push_back(std::move(candidate));
   candidates_.clear();
-  // Not by arrival: the run must not depend on which process was first.
+  // Not in order of arrival: the run must not depend on which process came first.
   std::ranges::sort(candidates, {},
                     [](const Candidate& c) { return c.session.agents.front().agent; });
   for (Candidate& candidate : candidates) connect(std::move(candidate));
@@ -223,8 +223,8 @@ void AgentServer::Implementation::connect_all() {
 void AgentServer::Implementation::connect(Candidate candidate) {
   std::vector<hal::AgentId> agents;
   for (const auto& agent : candidate.session.agents) agents.push_back(agent.agent);
-  // Latecomers are refused between exchanges, on this thread: no locks, and no process waits
-  // longer for its answer than one exchange takes.
+  // Late processes are refused between exchanges, on this thread, so no locks are needed, and no
+  // process waits longer for its answer than one exchange takes.
   const bool is_closed = settings_.attendance == Attendance::kBeforeTheRun;
   log_session(candidate.hello, candidate.session);
   auto port = std::make_shared<RemotePort>(std::move(candidate.link), candidate.hello,

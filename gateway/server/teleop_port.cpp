@@ -31,7 +31,7 @@ void TeleopPort::answer(const Event& event, std::uint32_t index) {
   last_event_ = event.time;
   if (event.time < deaf_until_ && command) obeyed_ = command->number;
   const bool is_new = command && command->number != obeyed_;
-  // The next control event would be too late.
+  // The command would time out before the next control event.
   const bool is_old = event.time + control_period_ > obeyed_at_ + command_timeout_;
   if (!is_new && !(driving_ && is_old)) return;
   hal::node::exchange::DriveBody drive;

@@ -8,15 +8,15 @@
 
 namespace {
 
-/// Of `baraka exec` when it could not run the command, so that scripts can tell it from what the
-/// command says: as env(1) and docker-exec(1) have it.
+/// Exit status of `baraka exec` if it could not run the command, so that scripts can distinguish it
+/// from the command's own status; the same as of env(1) and docker-exec(1).
 constexpr int kCannotEnter = 125;
 
 }  // namespace
 
-/// What baraka starts for what may be done by a process of a single thread only:
-///   baraka-holder hold CONTROL EVENTS PARENT        the namespaces of a run
-///   baraka-holder enter FOLDER AGENT [COMMAND…]     what `baraka exec` becomes
+/// The program that baraka starts for what only a process with a single thread may do:
+///  baraka-holder hold CONTROL EVENTS PARENT        the namespaces of a run
+///  baraka-holder enter FOLDER AGENT [COMMAND…]     what `baraka exec` becomes
 int main(int argc, char** argv) {
   const std::string_view what = argc > 1 ? argv[1] : "";
   try {

@@ -29,7 +29,7 @@ void mount_or_fail(const char* type, const char* where, unsigned long flags,
   }
 }
 
-/// One file in place of another.
+/// Covers a file by another one.
 void cover(const char* file, const std::string& content) {
   constexpr const char* kTemporary = "/dev/shm/.baraka-covering";
   write_file(kTemporary, content, O_CREAT | O_TRUNC);
@@ -47,7 +47,8 @@ std::string hosts(const std::vector<AgentNetwork>& all) {
   return text;
 }
 
-/// A folder of /run as the host has it, but empty: daemons expect /run/lock and their own.
+/// A folder of the host's /run, which is made without content: daemons expect /run/lock and their
+/// own.
 struct EmptyFolder {
   std::filesystem::path path;
   struct stat status;
@@ -64,7 +65,7 @@ std::vector<EmptyFolder> folders_of_run() {
   return folders;
 }
 
-/// Those of users that there are none of inside are user 0's.
+/// Makes the folders. Those of users that do not exist inside belong to user 0.
 void make_again(const std::vector<EmptyFolder>& folders) {
   constexpr uid_t kUnknown = 65534;  // /proc/sys/kernel/overflowuid
   for (const auto& [path, status] : folders) {
@@ -103,8 +104,9 @@ bool is_of_process(const std::string& name) {
   return name.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// The kernel as a whole is told things in these files, and the user who runs all this may write
-/// them if that is root: what is no process's is read-only, what tells of others empty.
+/// Protects /proc. Some of its files control the kernel as a whole, and the user of the run may
+/// write them if that is root: everything that does not belong to a process becomes read-only, and
+/// files with information about others become empty.
 void lock_proc() {
   constexpr std::array<std::string_view, 3> kMasked{"kcore", "keys", "timer_list"};
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -116,12 +118,12 @@ void lock_proc() {
       bind(entry.path(), entry.path().c_str(), MS_NODEV | MS_NOEXEC | MS_RDONLY);
     }
   }
-  // These are the network's own: routing daemons write them.
+  // These belong to the network: routing daemons write them.
   constexpr const char* kOfNetwork = "/proc/sys/net";
   bind(kOfNetwork, kOfNetwork, MS_NODEV | MS_NOEXEC);
 }
 
-/// Numbers of processes that differ between agents: DDS makes its identities of them.
+/// Lets process ids differ between agents: DDS derives its identities from them.
 void begin_numbers_at(std::uint16_t id) {
   constexpr int kApart = 100, kBelow = 30'000;
   const FileDescriptor file(open("/proc/sys/kernel/ns_last_pid", O_WRONLY | O_CLOEXEC));
@@ -140,11 +142,11 @@ void mount_agent_root(const AgentNetwork& network, const std::vector<AgentNetwor
   mount_own_folders();
   kept.put();
   cover("/etc/hosts", hosts(all));
-  // IPv4 first, where programs leave it to the C library: it is what the scenario names.
+  // IPv4 first, if programs leave the choice to the C library: the scenario names these addresses.
   if (access("/etc/gai.conf", F_OK) == 0) {
     cover("/etc/gai.conf", "precedence ::ffff:0:0/96 100\n");
   }
-  // Best: with the agent's interfaces. No program needs them to send.
+  // A new sysfs shows the agent's interfaces, but no program needs that to send.
   if (mount("sysfs", "/sys", "sysfs", kPlain | MS_RDONLY, nullptr) != 0) {
     bind("/sys", "/sys", MS_NODEV | MS_NOEXEC | MS_RDONLY);
   }

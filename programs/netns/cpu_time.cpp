@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kNanoseconds = 1'000'000'000;
 
-/// Its own and of those that it has waited for; 0 if it has ended meanwhile.
+/// Ticks of a process and of those that it has waited for; 0 if it has ended meanwhile.
 std::int64_t ticks_of(const std::filesystem::path& process) {
   std::ifstream in(process / "stat");
   std::string line;

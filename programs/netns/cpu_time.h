@@ -7,12 +7,13 @@
 
 namespace programs::netns {
 
-/// All that there are beside this one. In the first process of the run, whose /proc shows them all.
+/// All other processes in the namespace. Call it in the first process of the run, whose /proc shows
+/// them all.
 std::vector<pid_t> processes_inside();
 
-/// User and system time of all processes that are or were inside, but for this one, ns: those that
-/// have been waited for, and those that run. In the first process of the run, whose /proc shows
-/// them all. What runs is counted in clock ticks, 10 ms as a rule.
+/// User and system time [ns] of all processes inside, except this one: of those that have been
+/// waited for, and of those that are running. Call it in the first process of the run, whose /proc
+/// shows them all. The time of running processes is counted in clock ticks, usually 10 ms.
 std::int64_t cpu_time_of_programs();
 
 }  // namespace programs::netns

@@ -10,7 +10,7 @@
 
 namespace programs::netns {
 
-/// A file descriptor that is closed with it. -1: none.
+/// A file descriptor that is closed with the object; -1: none.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -36,10 +36,11 @@ class FileDescriptor {
   int descriptor_ = -1;
 };
 
-/// Something that the system refuses, for people: "what: why".
+/// Throws std::runtime_error for something that the system refuses: "what: why".
 [[noreturn]] void fail(const std::string& what, int error = errno);
 
-/// @throws std::runtime_error  naming the file. Not kept by programs that are started.
+/// Opens a file, which programs that are started do not inherit. @throws std::runtime_error  with
+/// the name of the file.
 FileDescriptor open_file(const std::string& path, int flags, mode_t mode = 0);
 
 }  // namespace programs::netns

@@ -15,14 +15,15 @@
 namespace programs::netns {
 namespace {
 
-/// Of the agent's first process. The run's, whose child it is, has its sockets to baraka there.
+/// Descriptors of the agent's first process. In the run's first process, its parent, these numbers
+/// are the sockets to baraka.
 constexpr int kReport = STDERR_FILENO + 1, kPage = kReport + 1;
 
 void place(int descriptor, int where) {
   if (dup3(descriptor, where, O_CLOEXEC) < 0) fail("a descriptor of an agent");
 }
 
-/// What is mounted before the users become the agent's is locked by that.
+/// Enters the agent's namespaces. Mounts made before it joins the agent's users are locked by that.
 void go_into(const AgentNetwork& network, const AgentMade& made, const RunOfAgents& run) {
   unshare_or_fail(CLONE_NEWNS);
   join(made.spaces.network, "network");
@@ -59,7 +60,8 @@ void go_into(const AgentNetwork& network, const AgentMade& made, const RunOfAgen
   }
   (void)!write(kReport, why.data(), why.size());
   if (!why.empty()) _exit(EXIT_FAILURE);
-  // What baraka says goes to a file or terminal that is not this agent's.
+  // Standard error of baraka goes to a file or terminal that does not belong to this agent, so it
+  // is replaced.
   if (dup2(STDIN_FILENO, STDERR_FILENO) < 0) _exit(EXIT_FAILURE);
   close_range(kPage + 1, ~0U, 0);
   close(kReport);

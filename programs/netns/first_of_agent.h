@@ -4,16 +4,16 @@
 
 namespace programs::netns {
 
-/// Starts the first process of an agent, and does not wait for it: it has process numbers of its
-/// own, in which it is 1, and mounts of its own; it reaps what loses its parent there, and has
-/// nothing open but the page of the agent's room. The kernel ends it with the run's first process,
-/// and the agent's with it.
-/// @param made  its other namespaces, and the page; gets the process.
+/// Starts the first process of an agent, without waiting for it. It has its own process namespace,
+/// in which it is process 1, and its own mounts; it reaps orphaned processes there, and has no open
+/// file except the page of the agent's room. The kernel kills it when the run's first process ends,
+/// and then the agent's processes.
+/// @param made  the agent's other namespaces and the page; the process is stored there.
 /// @return for await_first_of_agent(). @throws std::runtime_error  what is refused.
 FileDescriptor start_first_of_agent(const AgentNetwork& network, const RunOfAgents& run,
                                     AgentMade& made);
 
-/// Waits until all is made. @param made  gets the rest of its namespaces.
+/// Waits until the process has made everything. @param made  the other namespaces are stored there.
 /// @throws std::runtime_error  what was refused.
 void await_first_of_agent(const FileDescriptor& report, AgentMade& made);
 

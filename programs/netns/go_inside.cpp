@@ -51,7 +51,7 @@ const RunState::Agent& agent_of(const RunState& run, const std::string& name) {
       fmt::format("no agent '{}' with a network: there are {}", name, fmt::join(names, ", ")));
 }
 
-/// Before anything that the run's user has a hand in is opened, loaded or started.
+/// Called before anything that the run's user can influence is opened, loaded or started.
 void become_user_of(const RunState& run) {
   if (run.user == geteuid()) return;
   if (setgroups(0, nullptr) != 0 || setresgid(run.group, run.group, run.group) != 0 ||
@@ -69,8 +69,8 @@ double factor_of(const RunState& run) {
   return factor;
 }
 
-/// By way of the run, from where what is shown can be taken along. The process numbers change only
-/// for children.
+/// Enters the agent through the run's namespaces, from which files to be shown can be taken along.
+/// The process namespace changes only for children.
 void pass(const Doors& doors, const Launch& launch) {
   if (setns(doors.users.get(), CLONE_NEWUSER) != 0) fail("the users of the run");
   if (setresgid(0, 0, 0) != 0 || setresuid(0, 0, 0) != 0) fail("user 0 of the run");
@@ -106,14 +106,14 @@ Launch launch_of(const RunState& run, std::vector<std::string> command) {
           {folder, std::filesystem::path(run.library).parent_path().string()}};
 }
 
-/// @param parent  readable once that is gone.
+/// @param parent  readable after the parent has ended.
 [[noreturn]] void become_child(const Launch& launch, const Terminal& terminal,
                                const FileDescriptor& parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   pollfd polled{parent.get(), POLLIN, 0};
-  if (poll(&polled, 1, 0) != 0) _exit(EXIT_FAILURE);  // it died before the line above
+  if (poll(&polled, 1, 0) != 0) _exit(EXIT_FAILURE);  // the parent died before the line above
   terminal.take();
-  // The folder may not be there inside: a file of /dev/shm or /proc.
+  // The folder may not exist inside, for example a folder of /dev/shm or /proc.
   if (chdir(launch.folder.c_str()) != 0 && chdir("/") != 0) _exit(126);
   for (const int one : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) signal(one, SIG_DFL);
   become(launch);
@@ -127,7 +127,8 @@ void tell_child(int what) {
   if (child_to_tell > 0) kill(static_cast<pid_t>(child_to_tell), what);
 }
 
-/// What the terminal sends goes to both; what others send to this one goes on.
+/// Signals of the terminal go to both processes; signals that others send to this one are passed
+/// on.
 void prepare_signals() {
   signal(SIGINT, SIG_IGN);
   signal(SIGQUIT, SIG_IGN);
@@ -137,7 +138,8 @@ void prepare_signals() {
   sigaction(SIGHUP, &action, nullptr);
 }
 
-/// When the child is stopped by its terminal, so is this, and goes on with it.
+/// Waits for the child. When the terminal stops the child, this process stops as well, and
+/// continues with it.
 int status_of_end(pid_t child, const Terminal& terminal) {
   for (int status = 0;;) {
     if (waitpid(child, &status, WUNTRACED) < 0) {
@@ -161,7 +163,7 @@ int go_inside(const std::filesystem::path& folder, const std::string& agent,
   become_user_of(run);
   const Launch launch = launch_of(run, command);
   {
-    // Closed again before there is a process that others inside see.
+    // The descriptors are closed again before there is a process that others inside can see.
     const Doors doors = doors_of(run, agent_of(run, agent));
     if (!run.init.is_alive()) throw std::runtime_error("the run has just ended");
     pass(doors, launch);
@@ -173,7 +175,7 @@ int go_inside(const std::filesystem::path& folder, const std::string& agent,
   const FileDescriptor reader(lifeline[0]);
   FileDescriptor writer(lifeline[1]);
   const pid_t child = fork();
-  if (child < 0) fail("a process of the run");  // it has just ended
+  if (child < 0) fail("a process of the run");  // the run has just ended
   if (child == 0) {
     writer.reset();
     become_child(launch, terminal, reader);

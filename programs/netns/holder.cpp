@@ -28,7 +28,7 @@ Pair socket_pair() {
     fail("the sockets of baraka-holder");
   }
   Pair pair{FileDescriptor(ends[0]), FileDescriptor(ends[1])};
-  // Above the places where its ends go.
+  // Moved above the numbers to which its ends will be assigned.
   pair.theirs.reset(fcntl(ends[1], F_DUPFD_CLOEXEC, kEvents + 1));
   if (!pair.theirs.is_open()) fail("the sockets of baraka-holder");
   return pair;
@@ -48,7 +48,7 @@ class FileActions {
 
 class Attributes {
  public:
-  /// A process group of its own, so that Ctrl-C does not reach it, and no signal blocked.
+  /// A separate process group, so that Ctrl-C does not reach it, and no blocked signals.
   Attributes() {
     posix_spawnattr_init(&attributes_);
     sigset_t none;
@@ -92,7 +92,7 @@ Holder::Holder(const std::filesystem::path& program, const std::filesystem::path
 Holder::~Holder() {
   constexpr int kPatience = 5000;  // ms
   const FileDescriptor process(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
-  // Init closes the socket of events when it ends, and the holder ends after it.
+  // Init closes the socket of events when it ends, and the holder ends after init.
   pollfd ended{process.get(), POLLIN, 0};
   while (poll(&ended, 1, kPatience) < 0 && errno == EINTR) continue;
   if ((ended.revents & POLLIN) == 0) kill(process_, SIGKILL);

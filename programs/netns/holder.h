@@ -8,13 +8,14 @@
 
 namespace programs::netns {
 
-/// The process baraka-holder and the two sockets to what it makes.
+/// The process baraka-holder, and the two sockets to the first process of the namespaces.
 class Holder {
  public:
-  /// Starts it. @param folder  its working folder, by which running_runs() finds the run.
+  /// Starts the process. @param folder  its working folder, by which running_runs() finds the run.
   /// @throws std::runtime_error
   Holder(const std::filesystem::path& program, const std::filesystem::path& folder);
-  /// Waits until it has ended, and after 5 s ends it. @pre kEnd was sent, or its end is near.
+  /// Waits until the process has ended, and kills it after 5 s. @pre kEnd was sent, or the process
+  /// is about to end.
   ~Holder();
   Holder(const Holder&) = delete;
   Holder& operator=(const Holder&) = delete;
@@ -27,8 +28,9 @@ class Holder {
   pid_t process_ = -1;
 };
 
-/// A file of ours beside this program or in ../lib/baraka; or in `folder`, if it is not empty.
-/// @throws std::runtime_error  it is not there.
+/// Finds one of our files: in `folder`, or if that is empty, beside this program or in
+/// ../lib/baraka.
+/// @throws std::runtime_error  it does not exist.
 std::filesystem::path installed_file(const std::filesystem::path& folder, const char* name);
 
 }  // namespace programs::netns

@@ -25,7 +25,7 @@ std::vector<std::string> fields_of(const std::string& line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-/// Of two lines that begin with "Icmp:", names and values.
+/// From two lines that begin with "Icmp:": names and values.
 std::uint64_t errors_of_ipv4() {
   std::ifstream in("/proc/self/net/snmp");
   std::vector<std::string> names;
@@ -40,7 +40,7 @@ std::uint64_t errors_of_ipv4() {
   return 0;
 }
 
-/// Lines of a name and a value.
+/// From lines with a name and a value.
 std::uint64_t errors_of_ipv6() {
   std::ifstream in("/proc/self/net/snmp6");
   std::string name;
@@ -54,7 +54,7 @@ std::uint64_t errors_of_ipv6() {
 
 void bound_icmp_errors(std::size_t agents) {
   constexpr std::size_t kFew = 4, kAtOnce = 100;
-  constexpr std::size_t kSeconds = 4;  // a burst, and three seconds of the rate
+  constexpr std::size_t kSeconds = 4;  // a burst, and three seconds at the rate
   if (agents <= kFew) return;
   const std::string bound = std::to_string(std::max<std::size_t>(1, kAtOnce / kSeconds / agents));
   write_bound("/proc/sys/net/ipv4/icmp_msgs_per_sec", bound);

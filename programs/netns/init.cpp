@@ -35,8 +35,8 @@ AgentNetwork unpack_agent(Unpacker& in) {
   return agent;
 }
 
-/// The first process of a run: makes the agents, starts and reaps programs. Ends with baraka's end
-/// of its socket; the kernel then ends what is left.
+/// The first process of a run: makes the agents, starts and reaps programs. It ends when baraka
+/// closes its end of the socket; the kernel then kills the rest.
 class Init {
  public:
   Init(int control, int events) : control_(control), events_(events) {
@@ -73,7 +73,7 @@ class Init {
     send(control_, MessageKind::kReady, "");
   }
 
-  /// Until baraka is gone or has had enough.
+  /// Serves until baraka is gone or has sent kEnd.
   void serve() {
     while (!is_over_) {
       const short wanted = unsaid_.empty() ? short{0} : short{POLLOUT};
@@ -137,7 +137,7 @@ class Init {
     int status = 0;
     for (pid_t child = 0; (child = waitpid(-1, &status, WNOHANG)) > 0;) {
       const auto found = programs_.find(child);
-      if (found == programs_.end()) continue;  // an orphan of theirs
+      if (found == programs_.end()) continue;  // an orphan inside
       Packer out;
       out.put(found->second.agent);
       out.put(found->second.number);
@@ -147,14 +147,14 @@ class Init {
     }
   }
 
-  /// One at a time, when there is room: baraka may be waiting for an answer meanwhile.
+  /// Sends one message, when there is room: baraka may be waiting for a reply at the same time.
   void say_one() {
     if (unsaid_.empty()) return;
     send(events_, MessageKind::kEnded, unsaid_.front());
     unsaid_.pop_front();
   }
 
-  /// @return whether some are left, but for the agents' first processes.
+  /// @return whether there are processes other than the agents' first ones.
   bool reap_all() const {
     while (waitpid(-1, nullptr, WNOHANG) > 0) continue;
     const std::vector<pid_t> all = processes_inside();
@@ -177,14 +177,14 @@ class Init {
   int control_, events_;
   FileDescriptor children_;
   std::vector<AgentSpaces> agents_;
-  std::set<pid_t> firsts_;  ///< Of the agents: start_first_of_agent().
+  std::set<pid_t> firsts_;  ///< The agents' first processes: start_first_of_agent().
   std::map<pid_t, Program> programs_;
   std::deque<std::string> unsaid_;
   std::uint32_t started_ = 0;
   bool is_over_ = false;
 };
 
-/// Tells baraka why it could not be; whether that reaches it, is nobody's concern.
+/// Tells baraka why it failed; if that cannot be sent, nothing else can be done.
 int refuse(int control, const std::exception& error) {
   try {
     send(control, MessageKind::kRefused, error.what());
@@ -220,7 +220,7 @@ int hold(int control, int events, int parent) {
   std::string why_alone;
   try {
     why_alone = enter_new_run();
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // only now: a change of user clears it
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // not earlier: a change of user clears it
     if (getppid() != parent) return EXIT_FAILURE;
     if (pipe2(lifeline.data(), O_CLOEXEC) != 0) fail("a pipe");
     init = fork();
@@ -240,7 +240,7 @@ int hold(int control, int events, int parent) {
   try {
     send(control, MessageKind::kHolder, out.bytes());
   } catch (const std::exception&) {
-    // baraka has died: init will see so, too.
+    // baraka has died: init will notice it as well.
   }
   close(control);
   close(events);

@@ -83,7 +83,7 @@ void set_link(const FileDescriptor& socket, const AgentNetwork& network) {
   ask(socket, SIOCSIFMTU, &request, kInterface);
 }
 
-/// By rtnetlink(7): SIOCSIFTXQLEN asks for privilege outside the user namespace.
+/// By rtnetlink(7): SIOCSIFTXQLEN requires a privilege outside of the user namespace.
 void set_queue_length() {
   struct {
     nlmsghdr header;
@@ -112,7 +112,7 @@ void set_ipv4(const FileDescriptor& socket, const AgentNetwork& network) {
   }
 }
 
-/// All groups: they would have no route, for there is no default one.
+/// For all groups: without a default route they would have none.
 void set_multicast_route(const FileDescriptor& socket) {
   constexpr std::uint32_t kGroups = 0xe0000000, kMask = 0xf0000000;  // 224.0.0.0/4
   std::string device = kInterface;
@@ -134,7 +134,8 @@ void add_unique_local(const AgentNetwork& network) {
   ask(socket, SIOCSIFADDR, &request, "wlan0: its IPv6 address");
 }
 
-/// Addresses are known to be unique, and nobody here is a router.
+/// Turns off duplicate address detection, because addresses are unique, and router discovery,
+/// because there is no router.
 void quieten_ipv6() {
   for (const char* key : {"accept_dad", "dad_transmits", "accept_ra", "router_solicitations"}) {
     const std::string path = std::string("/proc/sys/net/ipv6/conf/") + kInterface + "/" + key;

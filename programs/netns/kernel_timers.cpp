@@ -18,7 +18,7 @@ constexpr std::array kOfNeighbours{
 
 void stretch(const std::string& path, double factor) {
   const FileDescriptor file(open(path.c_str(), O_RDWR | O_CLOEXEC));
-  if (!file.is_open() && errno == ENOENT) return;  // this kernel has no such timer
+  if (!file.is_open() && errno == ENOENT) return;  // this kernel does not have this timer
   if (!file.is_open()) fail(path);
   std::array<char, 32> text{};
   const ssize_t length = read(file.get(), text.data(), text.size());

@@ -21,9 +21,10 @@ namespace {
 
 constexpr int kFirstInherited = STDERR_FILENO + 1;
 
-std::optional<rlimit> limit_before;  // raise_descriptor_limit()
+std::optional<rlimit> limit_before;  // set by raise_descriptor_limit()
 
-/// Where nothing that is moved to its place overwrites what is still to be moved.
+/// Moves a descriptor above the target numbers, so that no assignment overwrites one that is still
+/// to be moved.
 int moved_up(int descriptor, int above) {
   const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, above);
   if (moved < 0) fail("a descriptor of the program");
@@ -34,8 +35,9 @@ void put_at(int descriptor, int place, int flags = 0) {
   if (dup3(descriptor, place, flags) < 0) fail("a descriptor of the program");
 }
 
-/// What a program gets; and where its starter reports, behind that: why it cannot be started, and
-/// its number. Nothing else stays open: others inside must not find it there.
+/// The descriptors that a program gets, followed by those on which its starter reports the reason
+/// of a failure and the process id. All others are closed, because other programs inside must not
+/// find them there.
 struct Descriptors {
   int log;
   const std::vector<int>& inherited;
@@ -62,7 +64,7 @@ void take_descriptors(Descriptors& all) {
   close_range(static_cast<unsigned>(above), ~0U, 0);
 }
 
-/// In the program, which is in the agent already.
+/// Runs in the program's process, which is in the agent already.
 void become_leader(const Launch& launch) {
   setsid();
   if (chdir(launch.folder.c_str()) != 0) fail(launch.folder);
@@ -70,8 +72,9 @@ void become_leader(const Launch& launch) {
   fail(launch.program);
 }
 
-/// In a child, which is outside the agent until it has nothing open that others there must not see;
-/// what it starts is a child of its own parent: clone(2), CLONE_PARENT.
+/// Runs in a child, which stays outside of the agent until it has no descriptors open that others
+/// inside must not see. The process that it starts is a child of its own parent: clone(2),
+/// CLONE_PARENT.
 [[noreturn]] void start_in(const Launch& launch, const AgentSpaces& spaces,
                            Descriptors descriptors) {
   try {
@@ -97,7 +100,7 @@ std::string_view name_of(std::string_view variable) {
   return variable.substr(0, variable.find('='));
 }
 
-/// By its environment: see inside(). No factor is above 1.
+/// Whether the environment slows time: see inside(). No factor exceeds 1.
 bool is_slowed(const std::vector<std::string>& environment) {
   constexpr std::string_view kVariable = "BARAKA_DILATION=";
   return std::ranges::any_of(environment, [kVariable](const std::string& one) {
@@ -121,7 +124,8 @@ void become(const Launch& launch) {
   sigprocmask(SIG_SETMASK, &none, nullptr);
   signal(SIGPIPE, SIG_DFL);
   if (limit_before) setrlimit(RLIMIT_NOFILE, &*limit_before);
-  // Who gets another user or more rights with a program's file does not load the library: ld.so(8).
+  // A program that gets another user or more rights from its file does not load the library:
+  // ld.so(8).
   if (is_slowed(launch.environment)) prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   execve(launch.program.c_str(), pointers_to(launch.arguments).data(),
          pointers_to(launch.environment).data());

@@ -14,7 +14,7 @@
 namespace programs::netns {
 namespace {
 
-constexpr int kMostScripts = 4;  // one that names one that names …: Linux goes as far
+constexpr int kMostScripts = 4;  // nested scripts; Linux has the same limit
 
 template <class T>
 std::optional<T> read_at(std::ifstream& file, std::uint64_t place) {
@@ -34,7 +34,7 @@ std::string text_at(std::ifstream& file, std::uint64_t place, std::size_t length
   return text;
 }
 
-/// The file name of the loader that a program asks for, e.g. ld-linux-x86-64.so.2; nothing: none.
+/// File name of the loader that a program asks for, e.g. ld-linux-x86-64.so.2; nullopt: none.
 std::optional<std::string> loader_of(std::ifstream& file, const ElfW(Ehdr) & header) {
   for (std::uint64_t i = 0; i < header.e_phnum; ++i) {
     const auto part = read_at<ElfW(Phdr)>(file, header.e_phoff + i * header.e_phentsize);
@@ -45,7 +45,7 @@ std::optional<std::string> loader_of(std::ifstream& file, const ElfW(Ehdr) & hea
   return std::nullopt;
 }
 
-/// The interpreter of a script, from "#! /path arguments"; nothing if the file is none.
+/// The interpreter of a script, from "#! /path arguments"; nullopt if the file is not a script.
 std::optional<std::filesystem::path> interpreter_of(std::ifstream& file) {
   file.clear();
   file.seekg(0);
@@ -61,7 +61,7 @@ bool is_elf(const std::optional<ElfW(Ehdr)>& header) {
                        std::string_view(ELFMAG, SELFMAG);
 }
 
-/// This program's own: what the library is made for.
+/// The ELF header of this program: the library is built for the same machine.
 const ElfW(Ehdr) & own_header() {
   static const auto header = [] {
     std::ifstream self("/proc/self/exe", std::ios::binary);
@@ -85,8 +85,8 @@ std::optional<std::string> why_not_elf(std::ifstream& file, const ElfW(Ehdr) & h
   return std::nullopt;
 }
 
-/// `env`, as in "#! /usr/bin/env python3", is dynamically linked; what it starts is asked for
-/// itself when the shell of the user finds it, not here.
+/// `env`, as in "#! /usr/bin/env python3", is dynamically linked. The program that it starts is not
+/// checked here.
 std::optional<std::string> why_not_at(const std::filesystem::path& program, int scripts) {
   std::ifstream file(program, std::ios::binary);
   if (!file) return "cannot be read";

@@ -6,17 +6,18 @@
 
 namespace programs::netns {
 
-/// Where a program's file is: itself if its name has a slash, else the first in these folders.
-/// @param folders  as in PATH. @throws std::runtime_error  there is none that may be executed.
+/// Finds the file of a program: the name itself if it has a slash, else the first match in the
+/// folders.
+/// @param folders  as in PATH. @throws std::runtime_error  there is no executable file.
 std::filesystem::path program_file(const std::string& name, const std::string& folders);
 
-/// Why a library cannot be preloaded into a program; nothing if it can. A script is what its first
-/// line names. Programs of other machines, statically linked ones and those of another C library
-/// ignore LD_PRELOAD.
+/// Why a library cannot be preloaded into a program; nullopt if it can. For a script this is
+/// decided for the interpreter in its first line. Programs for other machines, statically linked
+/// ones and those of another C library ignore LD_PRELOAD.
 std::optional<std::string> why_not_preloaded(const std::filesystem::path& program);
 
-/// What is preloaded and what reads it: in place when one may be started.
-/// @throws std::runtime_error  at a factor other than 1, if the library would be ignored.
+/// Checks that the library will be preloaded; called before a program is started.
+/// @throws std::runtime_error  the library would be ignored, and the factor is not 1.
 void require_preloaded(const std::filesystem::path& program, double factor);
 
 }  // namespace programs::netns

@@ -10,10 +10,10 @@
 
 namespace programs::netns {
 
-/// The page of an agent's room, mapped as long as this.
+/// The page of an agent's room, mapped as long as this object exists.
 class MappedPage {
  public:
-  /// Begins it. @pre no program has it yet. @throws std::runtime_error
+  /// Initialises the page. @pre no program uses it yet. @throws std::runtime_error
   explicit MappedPage(const FileDescriptor& file)
       : memory_(
             mmap(nullptr, sizeof(RoomPage), PROT_READ | PROT_WRITE, MAP_SHARED, file.get(), 0)) {

@@ -11,11 +11,11 @@ namespace programs::netns {
 namespace {
 
 constexpr std::size_t kMostDescriptors = 250;  // SCM_MAX_FD of Linux: 253
-constexpr std::size_t kLongest = 32'768;       // of what travels in the message itself
+constexpr std::size_t kLongest = 32'768;       // bytes of content in the message itself
 
 struct Envelope {
   MessageKind kind = MessageKind::kEnd;
-  std::uint32_t is_file = 0;  ///< The content is in the first descriptor.
+  std::uint32_t is_file = 0;  ///< Whether the content is in the first descriptor.
 };
 
 union Control {
@@ -104,7 +104,7 @@ std::optional<Message> receive(int socket) {
   message.msg_controllen = sizeof control;
   ssize_t length = -1;
   while ((length = recvmsg(socket, &message, MSG_CMSG_CLOEXEC)) < 0) {
-    // It closed without reading all; its own last words may still be there.
+    // The other end closed without reading everything; its last message may still be there.
     if (errno != EINTR && errno != ECONNRESET) fail("the namespaces of the run");
   }
   if (static_cast<std::size_t>(length) < sizeof envelope) return std::nullopt;  // closed

@@ -21,7 +21,7 @@
 namespace programs::netns {
 namespace {
 
-/// Absolute, for a process that works elsewhere.
+/// Absolute paths, for a process with another working folder.
 std::vector<std::string> texts_of(const std::vector<std::filesystem::path>& paths) {
   std::vector<std::string> texts;
   texts.reserve(paths.size());
@@ -74,7 +74,7 @@ std::string value_of(const std::vector<std::string>& environment, const std::str
   return "";
 }
 
-/// LD_PRELOAD separates by blanks and colons.
+/// LD_PRELOAD is separated by blanks and colons.
 std::filesystem::path preloadable(const std::filesystem::path& library) {
   if (library.string().find_first_of(" :") == std::string::npos) return library;
   throw std::runtime_error(fmt::format(
@@ -91,14 +91,14 @@ struct Namespaces::State {
         dilation(dilation_from_now(given.factor)),
         holder(installed_file(given.programs, "baraka-holder"), given.state_folder) {}
 
-  /// Until all is made.
+  /// Receives messages until everything has been made.
   void receive_agents() {
     try {
       std::vector<std::filesystem::path> shown = settings.shown;
       for (const auto& one : {settings.state_folder, library.parent_path()}) shown.push_back(one);
       send(holder.control(), MessageKind::kSetUp, packed(settings, shown));
     } catch (const std::exception&) {
-      // It has ended; why, it has said.
+      // It has ended, and has sent the reason.
     }
     bool is_ready = false;
     while (!is_ready || run.init.number == 0) {
@@ -131,7 +131,7 @@ struct Namespaces::State {
                         link_local_address(network.id), unique_local_address(network.id)});
   }
 
-  /// @throws std::runtime_error  what was refused, or that all is gone.
+  /// @throws std::runtime_error  what was refused, or that everything is gone.
   Message answer() {
     auto message = receive(holder.control());
     if (!message) throw std::runtime_error(kGone);
@@ -149,7 +149,7 @@ struct Namespaces::State {
 
   ~State() {
     if (folder.is_open()) unlinkat(folder.get(), kStateFile, 0);
-    // Nobody is to wait for room any more, but to end.
+    // Wakes up all that wait for room, so that they can end.
     for (const Agent& agent : agents) {
       constexpr std::uint32_t kEnough = 1'000'000'000;
       (*agent.page).publish((*agent.page).sent(), kEnough, kEnough);
@@ -265,7 +265,7 @@ std::uint64_t Namespaces::tx_dropped(std::size_t agent) const {
   for (std::string line; std::getline(lines, line);) {
     const std::size_t name = line.find("wlan0:");
     if (name == std::string::npos) continue;
-    // Eight counters of what came in; then bytes, packets, errors, dropped.
+    // Eight counters of received packets come first; then bytes, packets, errors, dropped.
     constexpr int kBeforeDropped = 11;
     std::istringstream counters(line.substr(name + 6));
     std::uint64_t counter = 0;

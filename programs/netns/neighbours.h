@@ -6,15 +6,15 @@
 
 namespace programs::netns {
 
-/// Keeps a place for each other agent in the neighbour tables (ARP, NDP) of the network namespace
-/// that the calling thread is in. Nothing is in the places: who sends to a neighbour still asks the
-/// air for its address first.
+/// Reserves an entry for each other agent in the neighbour tables (ARP, NDP) of the network
+/// namespace of the calling thread. The entries contain no address: a sender still requests the
+/// address of a neighbour over the air first.
 ///
-/// For all namespaces of a machine share one table of 1024 entries (gc_thresh3 of arp(7)), of which
-/// only root of the machine could make more: from 33 agents that all talk on, or with two runs side
-/// by side, sends would fail with "neighbor table overflow". Entries that somebody keeps
-/// (NTF_EXT_LEARNED) are not counted. Above 128 agents there would be too many of them, and none
-/// are kept.
+/// Reason: all namespaces of a machine share one table of 1024 entries (gc_thresh3 of arp(7)),
+/// which only root of the machine could enlarge. With 33 or more agents that all communicate, or
+/// with two runs at the same time, sending would fail with "neighbor table overflow". Externally
+/// managed entries (NTF_EXT_LEARNED) are not counted. With more than 128 agents there would be too
+/// many of them, and none are reserved.
 /// @throws std::runtime_error
 void keep_places(const AgentNetwork& own, const std::vector<AgentNetwork>& all);
 

@@ -8,14 +8,16 @@
 
 namespace programs::netns {
 
-/// rtnetlink(7) of the network namespace that the calling thread is in.
+/// An rtnetlink(7) socket of the calling thread's network namespace.
 class Netlink {
  public:
   /// @throws std::runtime_error
   Netlink();
 
-  /// Sends a request and waits until it has been done. @param request  with its length; its flags
-  /// are completed. @param what  it is, for people. @throws std::runtime_error  it was refused.
+  /// Sends a request and waits until it has been carried out.
+  /// @param request  with its length; its flags are completed. @param what  name of the request,
+  /// for messages.
+  /// @throws std::runtime_error  it was refused.
   void ask(nlmsghdr& request, const std::string& what) const;
 
  private:

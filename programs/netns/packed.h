@@ -11,7 +11,7 @@
 
 namespace programs::netns {
 
-/// Values one behind the other, for two programs of one build.
+/// Serialises values, for two programs of the same build.
 class Packer {
  public:
   template <std::integral T>
@@ -33,7 +33,7 @@ class Packer {
   std::string bytes_;
 };
 
-/// @throws std::runtime_error  if what is read was not put.
+/// Reads values back. @throws std::runtime_error  if there are no more bytes.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}

@@ -6,14 +6,14 @@
 
 namespace programs::netns {
 
-/// Both ends are closed in programs that are started.
+/// A pipe; both ends are closed in programs that are started.
 struct Pipe {
   /// @throws std::runtime_error
   Pipe();
   FileDescriptor reader, writer;
 };
 
-/// What is written until all writers have closed it, or as much of it as is wanted.
+/// Reads until all writers have closed the pipe, or `wanted` bytes have been read.
 std::string all_from(const FileDescriptor& reader, std::size_t wanted = std::string::npos);
 
 }  // namespace programs::netns

@@ -12,7 +12,7 @@ namespace programs::netns {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr std::int64_t kPatience = kSecond / 5;  ///< With a sender that does not finish.
+constexpr std::int64_t kPatience = kSecond / 5;  ///< Maximum time for a sender to finish.
 
 std::int64_t monotonic() {
   timespec now{};
@@ -25,7 +25,7 @@ std::int64_t monotonic() {
 bool RoomPage::publish(std::uint64_t sent, std::uint32_t room, std::uint32_t capacity) {
   capacity_.store(capacity, std::memory_order_relaxed);
   const std::uint64_t limit = sent + room;
-  // One that was given up has finished after all: it goes on counting as reserved, too.
+  // A sender that was given up has finished after all: count its places as reserved, too.
   const std::uint64_t reserved = reserved_.load(std::memory_order_acquire);
   if (sent > reserved) reserved_.fetch_add(sent - reserved, std::memory_order_acq_rel);
   const bool has_changed = limit_.exchange(limit) != limit;
@@ -40,7 +40,8 @@ bool RoomPage::publish(std::uint64_t sent, std::uint32_t room, std::uint32_t cap
   return true;
 }
 
-/// Those in between who have not moved for long count as sent; the next publish() tells so.
+/// Counts the places of senders that have not moved for long as sent; the next publish() announces
+/// them.
 void RoomPage::give_up_the_dead(std::uint64_t sent) {
   const std::uint64_t reserved = reserved_.load(std::memory_order_acquire);
   const std::uint32_t beats = beats_.load(std::memory_order_relaxed);

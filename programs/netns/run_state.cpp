@@ -23,7 +23,7 @@ std::string first_line(const std::filesystem::path& file) {
   return line;
 }
 
-/// A process's folder in /proc, if it holds a run of this user; else 0.
+/// Whether a process, given by its folder in /proc, is the holder of a run of this user.
 bool is_holder_of_user(const std::filesystem::path& process) {
   struct stat status {};
   return stat(process.c_str(), &status) == 0 && status.st_uid == geteuid() &&
@@ -46,7 +46,8 @@ void read_line(RunState& state, const std::string& key, std::istringstream& rest
       fmt::format("{}: no run with programs on the air is under way there", folder.string()));
 }
 
-/// It names a library to load and processes to follow: who writes it decides what is run.
+/// The file names a library to load and processes to follow, so its author decides what is
+/// executed.
 void require_trusted(const std::filesystem::path& path, const struct stat& status) {
   const char* why = nullptr;
   if (!S_ISREG(status.st_mode)) why = "is no file";
@@ -69,7 +70,7 @@ std::string content_of(const FileDescriptor& file) {
   return content;
 }
 
-/// Whether this user's file is there.
+/// Whether a regular file of this user exists.
 bool is_of_user(const std::filesystem::path& file) {
   struct stat status {};
   return lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
@@ -78,7 +79,7 @@ bool is_of_user(const std::filesystem::path& file) {
 }  // namespace
 
 Process Process::of(pid_t number) {
-  // pid (name) state ppid …: the name may hold anything, so count from behind it.
+  // Format: pid (name) state ppid …; the name may contain anything, so count the fields after it.
   const std::string line = first_line(fmt::format("/proc/{}/stat", number));
   const std::size_t behind = line.rfind(')');
   if (behind == std::string::npos) return {number, 0};
@@ -112,7 +113,7 @@ void RunState::write(const FileDescriptor& folder) const {
 
 RunState RunState::read(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kStateFile;
-  // Not to wait for a pipe, nor to be led elsewhere.
+  // Does not wait for a named pipe, nor follow a link.
   const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!file.is_open() && errno == ENOENT) fail_of_no_run(folder);
@@ -144,7 +145,7 @@ std::vector<std::filesystem::path> running_runs() {
   for (const auto& process : std::filesystem::directory_iterator("/proc")) {
     std::error_code error;
     if (!is_holder_of_user(process.path())) continue;
-    // Its working folder, under whatever name that has by now.
+    // Its working folder, by its present name.
     const auto folder = std::filesystem::read_symlink(process.path() / "cwd", error);
     if (!error && is_of_user(folder / kStateFile)) folders.push_back(folder);
   }

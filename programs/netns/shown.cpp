@@ -15,7 +15,7 @@ bool is_beneath(const std::filesystem::path& folder, const std::filesystem::path
   return end == folder.end() && path != folder;
 }
 
-/// Whether a path is of one of kOwnFolders, and not such a folder itself.
+/// Whether a path is inside one of kOwnFolders, and not such a folder itself.
 bool is_hidden(const std::filesystem::path& path) {
   return std::ranges::any_of(kOwnFolders, [&path](const char* one) {
     std::error_code error;
@@ -31,7 +31,7 @@ void make_place(const std::filesystem::path& path, bool is_folder) {
   if (!is_folder) FileDescriptor(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644)).reset();
 }
 
-/// By which a file is known: without symbolic links, and as it was given.
+/// The two names of a file: without symbolic links, and as it was given.
 std::array<std::filesystem::path, 2> names_of(const std::filesystem::path& path) {
   std::error_code error;
   auto given = std::filesystem::absolute(path).lexically_normal();

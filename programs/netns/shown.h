@@ -10,20 +10,20 @@
 
 namespace programs::netns {
 
-/// The folders of which each agent has its own, empty when the run begins.
+/// The folders that each agent has for itself; they are empty when the run begins.
 inline constexpr std::array kOwnFolders{"/tmp", "/run", "/dev/shm"};
 
-/// What of the host's /tmp, /run and /dev/shm is shown to an agent's programs, under the same name,
-/// be that a symbolic link or not. Elsewhere they see the host's files anyway.
+/// The files of the host's /tmp, /run and /dev/shm that an agent's programs see, under the same
+/// name, even if that is a symbolic link. In all other folders they see the host's files anyway.
 class Shown {
  public:
-  /// Takes hold of a file or folder. Nothing is shown of what is not there, is none of these
-  /// folders' or is one of them itself. @throws std::runtime_error
+  /// Adds a file or folder. It is ignored if it does not exist, is not in one of these folders, or
+  /// is such a folder itself. @throws std::runtime_error
   void add(const std::filesystem::path& path);
-  /// Of a program's file, its folder, if that may be shown.
+  /// Adds the folder of a program's file, if it may be shown.
   void add_folder_of(const std::filesystem::path& file);
 
-  /// Puts all that is not there yet in its place. @pre this process is in the agent's mounts.
+  /// Mounts all that is not there yet. @pre this process is in the agent's mount namespace.
   /// @throws std::runtime_error
   void put() const;
 

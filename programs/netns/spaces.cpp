@@ -26,7 +26,7 @@
 namespace programs::netns {
 namespace {
 
-/// A number that the kernel tells; nothing where it has no such file.
+/// A number from a file of the kernel; nullopt if there is no such file.
 std::optional<std::int64_t> kernel_number(const char* path) {
   const FileDescriptor file(open(path, O_RDONLY | O_CLOEXEC));
   std::array<char, 32> text{};
@@ -38,7 +38,7 @@ std::optional<std::int64_t> kernel_number(const char* path) {
   return value;
 }
 
-/// Why user namespaces are refused, and what allows them.
+/// Reports why user namespaces are refused, and how to allow them.
 [[noreturn]] void fail_of_users(int error) {
   constexpr std::string_view kWhat = "agents with a network need user namespaces";
   if (kernel_number("/proc/sys/user/max_user_namespaces") == 0) {
@@ -65,9 +65,9 @@ std::optional<std::int64_t> kernel_number(const char* path) {
        error);
 }
 
-/// Programs write to it, but none may cut it off: whoever has it mapped would die of that, and the
-/// run has. Only memory without a name can be sealed so; the name leads to it by way of the agent's
-/// first process.
+/// Makes the page. Programs write to it, but none may truncate it, because a process that has it
+/// mapped, as the run has, would be killed by that. Only anonymous memory can be sealed against it;
+/// programs find it by a link to a descriptor of the agent's first process.
 FileDescriptor make_page() {
   constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
   FileDescriptor page(memfd_create("baraka-room", MFD_CLOEXEC | MFD_ALLOW_SEALING));
@@ -78,7 +78,8 @@ FileDescriptor make_page() {
   return page;
 }
 
-/// Made in an agent's network by a process that is in the run's.
+/// Makes the interfaces and the page. Called by a process in the run's network; it joins the
+/// agent's meanwhile.
 AgentEnds make_ends(const AgentNetwork& network, const AgentSpaces& spaces,
                     const RunOfAgents& run) {
   constexpr gid_t kMostOfKernel = 0x7fff'ffff;
@@ -97,7 +98,7 @@ AgentEnds make_ends(const AgentNetwork& network, const AgentSpaces& spaces,
   return ends;
 }
 
-/// In a child: makes the namespaces and keeps them until they have been taken from it.
+/// Runs in a child: makes the namespaces and keeps them until the parent has opened them.
 [[noreturn]] void keep_new_spaces(const AgentNetwork& network, FileDescriptor& report) {
   std::string why;
   if (unshare(CLONE_NEWUSER | CLONE_NEWNET | CLONE_NEWUTS | CLONE_NEWIPC) != 0) {
@@ -116,7 +117,7 @@ void map_users_of(pid_t process) {
   write_file(folder + "gid_map", identity_map("/proc/self/gid_map"));
 }
 
-/// A process that keeps the namespaces of an agent, all but those of mounts and process numbers.
+/// A process that keeps the namespaces of an agent, except those of mounts and processes.
 struct Keeper {
   explicit Keeper(const AgentNetwork& network) {
     Pipe report;
@@ -136,7 +137,7 @@ struct Keeper {
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
 
-  /// The users are those of the run.
+  /// Opens the namespaces, and maps the users of the run into that of users.
   AgentSpaces take(const AgentNetwork& network) const {
     const std::string why = all_from(reader);
     if (!why.empty()) throw std::runtime_error(fmt::format("agent {}: {}", network.agent, why));
@@ -183,7 +184,7 @@ std::string enter_new_run() {
   } catch (const std::runtime_error&) {
     fail_of_users(errno);
   }
-  // AppArmor lets one make them and then forbids all use.
+  // AppArmor can allow making user namespaces and then forbid all use of them.
   if (unshare(CLONE_NEWNS) != 0) fail_of_users(errno);
   unshare_or_fail(CLONE_NEWNET | CLONE_NEWPID | CLONE_NEWUTS | CLONE_NEWIPC);
   if (mount(nullptr, "/", nullptr, MS_REC | MS_SLAVE, nullptr) != 0) fail("mounts of the run");

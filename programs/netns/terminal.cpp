@@ -7,7 +7,7 @@
 namespace programs::netns {
 
 Terminal::Terminal() : is_ours_(isatty(STDIN_FILENO) != 0 && tcgetpgrp(STDIN_FILENO) == getpgrp()) {
-  // Who is not in the foreground is stopped when it sets that.
+  // A process that is not in the foreground is stopped by this signal when it sets the foreground.
   if (is_ours_) signal(SIGTTOU, SIG_IGN);
 }
 
@@ -20,7 +20,7 @@ void Terminal::take() const {
 
 void Terminal::give_to(pid_t child) const {
   if (!is_ours_) return;
-  setpgid(child, child);  // whoever comes first
+  setpgid(child, child);  // both processes do it; the first one counts
   tcsetpgrp(STDIN_FILENO, child);
 }
 

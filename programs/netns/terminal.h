@@ -4,8 +4,8 @@
 
 namespace programs::netns {
 
-/// The terminal of this process, if it has one and is in its foreground: a program inside an agent
-/// gets it as a shell gives it to a job, for process groups of outside have no numbers there.
+/// The terminal of this process, if it has one and is in its foreground. A program inside an agent
+/// gets it as a shell gives it to a job, because process groups from outside have no ids inside.
 class Terminal {
  public:
   Terminal();
@@ -13,9 +13,9 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// In a new child: a process group of its own, in the foreground.
+  /// Call in a new child: makes it a process group of its own, in the foreground.
   void take() const;
-  /// In its parent. @param child  as seen from here.
+  /// Call in the parent. @param child  its pid in this process's namespace.
   void give_to(pid_t child) const;
   void take_back() const;
 

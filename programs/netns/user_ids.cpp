@@ -22,10 +22,11 @@
 namespace programs::netns {
 namespace {
 
-/// First octet of what the child answers: which maps it has written. Why not both follows.
+/// Bits in the first octet of the child's answer: the maps that it has written. A message why not
+/// all follows.
 constexpr char kUsers = 1, kGroups = 2;
 
-/// Of a line of /etc/subuid: subuid(5).
+/// A range from a line of /etc/subuid: subuid(5).
 struct SubordinateIds {
   std::uint32_t first = 0, count = 0;
 };
@@ -38,7 +39,7 @@ std::optional<std::uint32_t> number_in(std::string_view text) {
   return value;
 }
 
-/// The first range of this user, by name or number.
+/// The first range of this user, given by name or number.
 std::optional<SubordinateIds> subordinate_ids(const char* file) {
   const std::string number = std::to_string(geteuid());
   const passwd* const entry = getpwuid(geteuid());
@@ -57,7 +58,7 @@ std::optional<SubordinateIds> subordinate_ids(const char* file) {
   return std::nullopt;
 }
 
-/// newuidmap or newgidmap, of the package uidmap. @return why not; empty: it is done.
+/// Calls newuidmap or newgidmap of the package uidmap. @return why it failed; empty: it succeeded.
 std::string ask_for_map(const char* program, pid_t process, std::uint32_t own,
                         const SubordinateIds& more) {
   const std::vector<std::string> words{program,
@@ -110,7 +111,7 @@ std::string map_as_user(pid_t process, char& done) {
   return why;
 }
 
-/// In the child: once asked, and if the other has not ended.
+/// Runs in the child: waits for the request, and ends if the parent has ended.
 [[noreturn]] void map_from_outside(int socket, pid_t process) {
   char asked = 0;
   if (read(socket, &asked, 1) != 1) _exit(0);

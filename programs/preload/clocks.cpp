@@ -1,5 +1,5 @@
-// What a program reads of the time, and sleeps: POSIX.1-2017, <time.h>, <sys/time.h>, <unistd.h>;
-// C11, 7.27.2.5 and 7.26.5.7.
+// Reading the time, and sleeping: POSIX.1-2017, <time.h>, <sys/time.h>, <unistd.h>; C11, 7.27.2.5
+// and 7.26.5.7.
 #include <sys/time.h>
 #include <threads.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ BARAKA_EXPORTED int clock_gettime(clockid_t clock, timespec* now) noexcept {
 
 BARAKA_EXPORTED int gettimeofday(timeval* __restrict now, void* __restrict zone) noexcept {
   const int status = BARAKA_NEXT(gettimeofday)(now, zone);
-  // The header says that it is never null; the kernel takes that for 'the zone alone'.
+  // The header declares the pointer as never null, but the kernel accepts null for 'only the zone'.
   const timeval* const volatile given = now;
   if (status != 0 || given == nullptr) return status;
   const auto kernel = kernel_time(CLOCK_REALTIME);

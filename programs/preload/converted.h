@@ -9,8 +9,8 @@
 
 namespace programs::preload {
 
-/// Whether the kernel would take it. One that it would not is handed on as it is, so that the
-/// program gets the kernel's error.
+/// Whether the kernel would accept the time. One that it would not is passed on unchanged, so that
+/// the program gets the kernel's error.
 inline bool is_time(const timespec* time) {
   return time != nullptr && time->tv_sec >= 0 && time->tv_nsec >= 0 && time->tv_nsec < kSecond;
 }
@@ -18,7 +18,7 @@ inline bool is_time(const timeval* time) {
   return time != nullptr && time->tv_sec >= 0 && time->tv_usec >= 0 && time->tv_usec < 1'000'000;
 }
 
-/// @pre is_time(). Beyond 292 years: the longest.
+/// Converts to nanoseconds. @pre is_time(). More than 292 years become the largest number.
 inline Nanoseconds nanoseconds(const timespec& time) {
   constexpr Nanoseconds kMost = std::numeric_limits<Nanoseconds>::max();
   if (time.tv_sec > kMost / kSecond - 1) return kMost;
@@ -28,7 +28,7 @@ inline Nanoseconds nanoseconds(const timeval& time) {
   return nanoseconds(timespec{time.tv_sec, time.tv_usec * 1000});
 }
 
-/// Before the epoch: the epoch.
+/// Times before the epoch become the epoch.
 inline timespec to_timespec(Nanoseconds time) {
   const Nanoseconds positive = time < 0 ? 0 : time;
   return {positive / kSecond, positive % kSecond};
@@ -42,7 +42,7 @@ inline timeval to_timeval_up(Nanoseconds time) {
   return to_timeval(time > std::numeric_limits<Nanoseconds>::max() - 999 ? time : time + 999);
 }
 
-/// A time-out or a moment that a program gives, as the kernel is to get it.
+/// A time-out or a point in time given by a program, converted for the kernel.
 class ForKernel {
  public:
   static ForKernel duration(const timespec* time) {
@@ -59,7 +59,7 @@ class ForKernel {
     }
     return result;
   }
-  /// Null, or not a time: what was given. Valid as long as this.
+  /// If null or not a time was given, that is returned. Valid as long as this object.
   const timespec* get() const { return is_time(given_) ? &converted_ : given_; }
 
  private:
@@ -69,7 +69,7 @@ class ForKernel {
   timespec converted_{};
 };
 
-/// A duration of the kernel's as the program is to see it.
+/// Converts a duration of the kernel for the program.
 inline timespec for_program(const timespec& time) {
   return to_timespec(ProcessTime::get().dilation().to_program(nanoseconds(time)));
 }
@@ -77,7 +77,8 @@ inline timeval for_program(const timeval& time) {
   return to_timeval(ProcessTime::get().dilation().to_program(nanoseconds(time)));
 }
 
-/// Milliseconds of poll() and its like, rounded up; negative: for ever.
+/// Converts the time-out of poll() and similar calls in milliseconds, rounded up; negative: no
+/// limit.
 inline int milliseconds_for_kernel(int timeout) {
   if (timeout <= 0) return timeout;
   constexpr Nanoseconds kMillisecond = 1'000'000;

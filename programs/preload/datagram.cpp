@@ -13,7 +13,7 @@
 namespace programs::preload {
 namespace {
 
-constexpr unsigned kLoopback = 1;  // the interface `lo` of every network namespace
+constexpr unsigned kLoopback = 1;  // index of the interface `lo` in every network namespace
 constexpr std::size_t kUdpHeader = 8, kIpv4Header = 20, kIpv6Header = 40, kFragmentHeader = 8;
 
 union Address {
@@ -34,7 +34,7 @@ class KeptErrno {
   int kept_ = errno;
 };
 
-/// -1: it has none.
+/// Value of an option; -1: the socket does not have it.
 int option_of(int socket, int level, int option) {
   int value = -1;
   socklen_t length = sizeof value;
@@ -53,7 +53,7 @@ bool is_ipv4_loopback(std::uint32_t network_order) {
   return ntohl(network_order) >> 24 == IN_LOOPBACKNET;
 }
 
-/// Groups and broadcasts go by the interface that the socket names, else by the route.
+/// Multicast and broadcast go by the interface that the socket names, else by the route.
 bool is_group_on_loopback(int socket) {
   in_addr interface {};
   socklen_t length = sizeof interface;
@@ -88,7 +88,7 @@ bool stays_here_v6(int socket, const sockaddr_in6& to) {
                                                   static_cast<int>(kLoopback));
 }
 
-/// Where it goes; false: nowhere that is known.
+/// The destination; false: it is not known.
 bool destination_of(const Datagram& datagram, Address& to) {
   if (datagram.to != nullptr) {
     const auto length = std::min<std::size_t>(datagram.to_length, sizeof to);
@@ -99,10 +99,11 @@ bool destination_of(const Datagram& datagram, Address& to) {
   return getpeername(datagram.socket, &to.any, &length) == 0;
 }
 
-/// UDP_SEGMENT of this message or of its socket, bytes; 0: none.
+/// UDP_SEGMENT of this message or of its socket [byte]; 0: none.
 std::size_t segment_of(const Datagram& datagram) {
   if (datagram.message != nullptr) {
-    auto& message = const_cast<msghdr&>(*datagram.message);  // CMSG_NXTHDR() will not have it else
+    // CMSG_NXTHDR() requires a non-const message
+    auto& message = const_cast<msghdr&>(*datagram.message);
     for (cmsghdr* one = CMSG_FIRSTHDR(&message); one != nullptr; one = CMSG_NXTHDR(&message, one)) {
       if (one->cmsg_level != IPPROTO_UDP || one->cmsg_type != UDP_SEGMENT) continue;
       std::uint16_t segment = 0;
@@ -117,7 +118,7 @@ std::size_t segment_of(const Datagram& datagram) {
 std::uint32_t frames_of_ip(const Datagram& datagram, bool is_ipv6) {
   const std::size_t mtu = room()->interface().mtu;
   const std::size_t header = is_ipv6 ? kIpv6Header : kIpv4Header;
-  // Almost always; a header that the program brings along makes no frame more.
+  // The usual case; a header supplied by the program makes no further frame.
   if (header + kUdpHeader + datagram.length <= mtu) return 1;
   const bool is_raw = option_of(datagram.socket, SOL_SOCKET, SO_TYPE) == SOCK_RAW;
   const int protocol = option_of(datagram.socket, SOL_SOCKET, SO_PROTOCOL);
@@ -138,7 +139,7 @@ std::uint32_t frames_of_ip(const Datagram& datagram, bool is_ipv6) {
 std::uint32_t fragments(std::size_t length, std::size_t mtu, bool is_ipv6) {
   const std::size_t whole = mtu - (is_ipv6 ? kIpv6Header : kIpv4Header);
   if (length <= whole) return 1;
-  // All but the last are cut at multiples of eight.
+  // All fragments but the last have a length that is a multiple of eight.
   const std::size_t last = is_ipv6 ? whole - kFragmentHeader : whole;
   const std::size_t each = last / 8 * 8;
   return static_cast<std::uint32_t>(1 + (length - last + each - 1) / each);
@@ -170,7 +171,8 @@ bool is_held_back(int descriptor) {
   if (!is_datagram_socket(descriptor, family)) return false;
   Address peer{};
   socklen_t length = sizeof peer;
-  if (getpeername(descriptor, &peer.any, &length) != 0) return true;  // where to, it says later
+  // the destination is given later
+  if (getpeername(descriptor, &peer.any, &length) != 0) return true;
   return frames_of({descriptor, &peer.any, length, nullptr, 0}) != 0;
 }
 

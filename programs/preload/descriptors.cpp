@@ -1,4 +1,5 @@
-// Waits for descriptors and signals: POSIX.1-2017, <poll.h>, <sys/select.h>, <signal.h>; epoll(7).
+// Waiting for descriptors and signals: POSIX.1-2017, <poll.h>, <sys/select.h>, <signal.h>;
+// epoll(7).
 #include <poll.h>
 #include <sys/epoll.h>
 #include <sys/select.h>
@@ -15,8 +16,8 @@ using programs::preload::ForKernel;
 using programs::preload::milliseconds_for_kernel;
 
 extern "C" {
-/// What the GNU C library's headers call in place of poll() and ppoll() when they know how large
-/// the array is (_FORTIFY_SOURCE).
+/// Functions that the GNU C library's headers call in place of poll() and ppoll() if they know the
+/// size of the array (_FORTIFY_SOURCE).
 int checked_poll(pollfd* descriptors, nfds_t count, int timeout,
                  std::size_t size) __asm__("__poll_chk");
 int checked_ppoll(pollfd* descriptors, nfds_t count, const timespec* timeout,
@@ -30,12 +31,12 @@ bool is_time_or_null(const timespec* time) {
   return time == nullptr || programs::preload::is_time(time);
 }
 
-/// Negative: for ever.
+/// Time-out in nanoseconds; negative: none.
 programs::preload::Nanoseconds or_for_ever(const timespec* time) {
   return time == nullptr ? -1 : programs::preload::nanoseconds(*time);
 }
 
-/// ppoll(), to which a socket without room is not writable.
+/// ppoll() for which a socket without room is not writable.
 int poll_for_room(pollfd* descriptors, nfds_t count, programs::preload::Nanoseconds longest,
                   const sigset_t* signals) {
   return programs::preload::until_ready(
@@ -49,8 +50,8 @@ struct Sets {
   fd_set *readable, *writable, *exceptional;
 };
 
-/// What the program has asked for of one of them. Its set may be shorter than an fd_set: it is as
-/// long as the descriptors that it asks for need.
+/// A copy of one set as the program passed it. The program's set may be shorter than an fd_set: it
+/// only needs to hold the descriptors below `count`.
 class Asked {
  public:
   Asked(const fd_set* set, int count)
@@ -68,7 +69,7 @@ class Asked {
   std::size_t size_;
 };
 
-/// pselect(), to which a socket without room is not writable.
+/// pselect() for which a socket without room is not writable.
 int select_for_room(int count, const Sets& sets, programs::preload::Nanoseconds longest,
                     const sigset_t* signals) {
   const Asked readable(sets.readable, count), writable(sets.writable, count),
@@ -119,7 +120,7 @@ BARAKA_EXPORTED int checked_ppoll(pollfd* descriptors, nfds_t count, const times
   return ppoll(descriptors, count, timeout, signals);
 }
 
-/// Linux writes what is left of the time back.
+/// Linux writes the remaining time back.
 BARAKA_EXPORTED int select(int count, fd_set* __restrict readable, fd_set* __restrict writable,
                            fd_set* __restrict exceptional, timeval* __restrict timeout) {
   const bool waits_for_room = programs::preload::wants_room(count, writable);
@@ -144,7 +145,7 @@ BARAKA_EXPORTED int select(int count, fd_set* __restrict readable, fd_set* __res
   return ready;
 }
 
-// POSIX gives it six parameters.
+// POSIX defines six parameters.
 // NOLINTNEXTLINE(readability-function-size)
 BARAKA_EXPORTED int pselect(int count, fd_set* __restrict readable, fd_set* __restrict writable,
                             fd_set* __restrict exceptional, const timespec* __restrict timeout,

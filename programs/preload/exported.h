@@ -1,4 +1,4 @@
 #pragma once
 
-/// What programs find in place of the C library's call of the same name.
+/// Declares a function that replaces the C library's function of the same name for programs.
 #define BARAKA_EXPORTED extern "C" __attribute__((visibility("default")))

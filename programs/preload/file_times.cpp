@@ -1,8 +1,8 @@
 // Times of files: POSIX.1-2017, <sys/stat.h>, <utime.h>, <sys/time.h>; statx(2).
 //
-// The kernel stamps files with its own time. A program reads its own of it, of every file by the
-// same rule, so that what is newer stays newer, and what it has just written is of just now; a time
-// that it gives a file itself is converted so that it reads the same again.
+// The kernel stamps files with its own time, which is converted for the program by the same rule
+// for all files. So newer files stay newer, and a file just written has the present time. A time
+// that a program sets is converted such that it reads the same again.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -20,7 +20,8 @@ using programs::preload::ForKernel;
 using programs::preload::is_time;
 using programs::preload::ProcessTime;
 
-/// timespec or statx_timestamp. Before 1970 no run has begun.
+/// For timespec or statx_timestamp. Times before 1970 are not converted, because no run began
+/// before.
 template <class Moment>
 void convert(Moment& moment) {
   const timespec kernel{moment.tv_sec, static_cast<long>(moment.tv_nsec)};
@@ -31,7 +32,7 @@ void convert(Moment& moment) {
   moment.tv_nsec = static_cast<decltype(moment.tv_nsec)>(told.tv_nsec);
 }
 
-/// @param status  of the call. @param file  stat or stat64.
+/// Converts the times of a file. @param status  of the call. @param file  stat or stat64.
 template <class File>
 int told(int status, File& file) {
   if (status != 0 || ProcessTime::get().dilation().is_none()) return status;
@@ -41,8 +42,8 @@ int told(int status, File& file) {
   return status;
 }
 
-/// What a file is to be stamped with: null is now, as are and remain the two numbers of nanoseconds
-/// that stand for 'now' and 'as it is'.
+/// The time stamps for a file: null stands for now and stays null. The two special numbers of
+/// nanoseconds for 'now' and 'unchanged' stay as well.
 class Stamps {
  public:
   explicit Stamps(const timespec* given) {
@@ -106,8 +107,8 @@ BARAKA_EXPORTED int fstatat64(int folder, const char* __restrict path,
 }
 
 extern "C" {
-/// What programs call that were linked with a GNU C library before 2.33. The first argument is a
-/// version of the structure, of which machines of 64 bits have one.
+/// Functions that programs call that were linked with a GNU C library before 2.33. The first
+/// argument is the version of the structure; machines with 64 bits have only one.
 int old_stat(int version, const char* path, struct stat* file) __asm__("__xstat");
 int old_stat64(int version, const char* path, struct stat64* file) __asm__("__xstat64");
 int old_lstat(int version, const char* path, struct stat* file) __asm__("__lxstat");
@@ -171,7 +172,7 @@ BARAKA_EXPORTED int futimens(int descriptor, const timespec times[2]) noexcept {
   return BARAKA_NEXT(futimens)(descriptor, Stamps(times).get());
 }
 
-// These know no nanoseconds, which the kernel's time of a program's microsecond has.
+// These have no nanoseconds, which the kernel's time for a program's microsecond can have.
 
 BARAKA_EXPORTED int utime(const char* path, const utimbuf* times) noexcept {
   return BARAKA_NEXT(utimensat)(AT_FDCWD, path, Stamps(times).get(), 0);

@@ -6,8 +6,8 @@
 
 namespace programs::preload {
 
-/// A call as it would be without us: that of the next library that has it, glibc's as a rule, in
-/// its newest version. The search is not kept from other threads, which find the same.
+/// A function that is replaced by this library, as the next library has it, normally glibc, in its
+/// newest version. Several threads may search for it at the same time; they find the same function.
 class Intercepted {
  public:
   constexpr explicit Intercepted(const char* name) : name_(name) {}
@@ -25,7 +25,7 @@ class Intercepted {
   std::atomic<void*> found_ = nullptr;
 };
 
-/// The intercepted call of this name: BARAKA_NEXT(poll)(descriptors, count, timeout).
+/// Calls the original function: BARAKA_NEXT(poll)(descriptors, count, timeout).
 #define BARAKA_NEXT(name)                                          \
   ([] {                                                            \
     static constinit ::programs::preload::Intercepted call(#name); \

@@ -1,7 +1,7 @@
-// Files of /proc that tell of time, when they are opened: POSIX.1-2017, <fcntl.h>, <stdio.h>,
-// <unistd.h>. A program gets memory with the text as it is to read it, under the same number. As
-// with the kernel's, the text is made anew when it is read again from its beginning: top(1) keeps
-// /proc/stat open.
+// Opening files of /proc that contain times: POSIX.1-2017, <fcntl.h>, <stdio.h>, <unistd.h>. The
+// program gets a memory file with the converted text under the same descriptor. As in the kernel,
+// the text is made again when it is read from its beginning once more: top(1) keeps /proc/stat
+// open.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -25,11 +25,11 @@ namespace {
 using programs::preload::ProcessTime;
 using programs::preload::ProcFile;
 
-/// In front of the kernel's name of the file, which the memory has as its own.
+/// Prefix of the memory file's name, followed by the kernel's name of the original.
 constexpr const char* kMemory = "baraka:";
 
-/// Descriptors below this may be sought to their beginning; that they are what they were is asked
-/// of the kernel then.
+/// Bits for descriptors below this number that may be memory files; whether a marked one still is,
+/// is checked by its name when it is rewound.
 constexpr int kMostMarked = 1024;
 constexpr int kBits = 64;
 std::array<std::atomic<std::uint64_t>, kMostMarked / kBits> marked;
@@ -47,7 +47,7 @@ void mark(int descriptor) {
       std::uint64_t{1} << (descriptor % kBits), std::memory_order_relaxed);
 }
 
-/// As the kernel names an open file: null behind the last character; empty: it does not.
+/// The kernel's name of an open file, terminated by null; empty: it has none.
 using Name = std::array<char, 128>;
 
 Name name_of(int descriptor) {
@@ -75,8 +75,8 @@ bool fill(int memory, std::string_view text) {
          pwrite(memory, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
 }
 
-/// The descriptor, which becomes one of memory if it is of one of these files; if that cannot be
-/// had, it stays. @param flags  with which it was opened.
+/// Replaces the file of a descriptor by a memory file if it is one of these files; if that fails,
+/// the file stays. @param flags  with which it was opened.
 int told_in_place_of(int descriptor, int flags) {
   if (descriptor < 0 || (flags & (O_ACCMODE | O_PATH)) != O_RDONLY) return descriptor;
   const int kept = errno;
@@ -96,8 +96,8 @@ int told_in_place_of(int descriptor, int flags) {
   return descriptor;
 }
 
-/// The file whose text such memory has, as the kernel names it: "/memfd:baraka:/proc/stat
-/// (deleted)"; empty: it is none.
+/// The path of the file whose text a memory file has, from the kernel's name
+/// "/memfd:baraka:/proc/stat (deleted)"; empty: it is not a memory file.
 std::string original_of(int memory) {
   const Name name = name_of(memory);
   const std::string_view text = name.data();
@@ -129,10 +129,10 @@ bool is_concerned(const char* path) {
          programs::preload::may_be_proc_file(path);
 }
 
-/// Whether open() takes rights.
+/// Whether open() has a mode argument with these flags.
 bool makes_files(int flags) { return (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE; }
 
-/// Null: to be opened as ever.
+/// Null: to be opened as usual.
 FILE* opened(const char* path, const char* mode) {
   if (!is_concerned(path) || mode == nullptr || mode[0] != 'r' ||
       std::strchr(mode, '+') != nullptr) {
@@ -149,7 +149,7 @@ FILE* opened(const char* path, const char* mode) {
 }  // namespace
 
 extern "C" {
-/// What the GNU C library's headers call when they know how many arguments there are
+/// Functions that the GNU C library's headers call if they know the number of arguments
 /// (_FORTIFY_SOURCE).
 int checked_open(const char* path, int flags) __asm__("__open_2");
 int checked_open64(const char* path, int flags) __asm__("__open64_2");
@@ -157,7 +157,7 @@ int checked_openat(int folder, const char* path, int flags) __asm__("__openat_2"
 int checked_openat64(int folder, const char* path, int flags) __asm__("__openat64_2");
 }
 
-/// The rights that were given, if the flags ask for them.
+/// The mode argument, if the flags require one.
 #define BARAKA_RIGHTS(flags)                            \
   mode_t rights = 0;                                    \
   if (makes_files(flags)) {                             \

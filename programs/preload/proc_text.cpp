@@ -16,7 +16,7 @@ bool is_number(std::string_view word) {
   return !word.empty() && word.find_first_not_of(kDigits) == std::string_view::npos;
 }
 
-/// The next part of a path, up to a slash; takes it away.
+/// Removes and returns the next component of a path, up to a slash.
 std::string_view take_part(std::string_view& path) {
   const std::string_view part = path.substr(0, path.find('/'));
   path.remove_prefix(std::min(path.size(), part.size() + 1));
@@ -37,19 +37,19 @@ std::optional<Nanoseconds> number_of(std::string_view word) {
   return value;
 }
 
-/// Of a number of ticks, hundredths of a second as a rule.
+/// Length of a clock tick, usually a hundredth of a second.
 Nanoseconds length_of_tick() { return kSecond / sysconf(_SC_CLK_TCK); }
 
 Nanoseconds processor_time(Nanoseconds ticks) {
   return ProcessTime::get().dilation().to_program(ticks);
 }
 
-/// Of a moment, in parts of a second of this length since the computer's start.
+/// Converts a time since the computer's start, in units of `length`.
 Nanoseconds since_start(Nanoseconds count, Nanoseconds length) {
   return ProcessTime::get().to_program(count * length, CLOCK_BOOTTIME) / length;
 }
 
-/// The text with its numbers, the first of which is number `i`, replaced; the rest as it is.
+/// Replaces the numbers of a text, beginning with number `i`; the other text is unchanged.
 template <class Replacement>
 std::string with_numbers(std::string_view text, int i, Replacement replacement) {
   std::string told;
@@ -68,7 +68,7 @@ std::string with_numbers(std::string_view text, int i, Replacement replacement) 
   return told;
 }
 
-/// "350735.47 234388.90": since the start, and of all processors without work.
+/// "350735.47 234388.90": seconds since the start, and idle time of all processors.
 std::string uptime(std::string_view kernel) {
   constexpr Nanoseconds kHundredth = kSecond / 100;
   const std::size_t point = kernel.find('.');
@@ -98,7 +98,7 @@ std::string uptime(std::string_view kernel) {
   return told + '\n';
 }
 
-/// Lines that begin with `cpu`: ticks, of all processors and of each.
+/// Lines that begin with `cpu`: ticks of all processors together and of each one.
 std::string stat(std::string_view kernel) {
   std::string told;
   told.reserve(kernel.size());
@@ -115,7 +115,7 @@ std::string stat(std::string_view kernel) {
   return told;
 }
 
-/// The second field is the program's name in brackets, which may have anything in it.
+/// The second field is the program's name in brackets, which may contain anything.
 std::string process(std::string_view kernel) {
   const std::size_t behind = kernel.rfind(')');
   if (behind == kernel.npos) return std::string(kernel);

@@ -23,7 +23,7 @@ constexpr int kWrongEnvironment = 127;
 alignas(ProcessTime) std::array<std::byte, sizeof(ProcessTime)> storage;
 pthread_once_t once = PTHREAD_ONCE_INIT;
 
-/// The next word, up to a blank; takes it away.
+/// Removes and returns the next word, up to a blank.
 std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find(' '));
   text.remove_prefix(std::min(text.size(), word.size() + 1));
@@ -35,8 +35,9 @@ bool read_number(std::string_view word, Nanoseconds& value) {
   return error == std::errc{} && end == word.data() + word.size();
 }
 
-/// Of a process or thread, also of another one: those have negative numbers, of whose lowest two
-/// bits 3 stands for a device (include/linux/posix-timers.h of Linux).
+/// Whether a clock is one of processor time, of a process or thread. Clocks of other processes have
+/// negative numbers; if the lowest two bits are 3, it is a device's clock
+/// (include/linux/posix-timers.h of Linux).
 bool is_of_processor(clockid_t clock) {
   constexpr clockid_t kKind = 3, kDevice = 3;
   if (clock < 0) return (clock & kKind) != kDevice;
@@ -51,7 +52,7 @@ Nanoseconds kernel_time(clockid_t clock) {
   return now.tv_sec * kSecond + now.tv_nsec;
 }
 
-/// A wrong value is to be noticed by programs, too, that never ask for the time.
+/// So that programs that never read the time notice an invalid value as well.
 __attribute__((constructor)) static void read_environment() { ProcessTime::get(); }
 
 const ProcessTime& ProcessTime::get() {

@@ -1,9 +1,10 @@
-// Processor time and what else counts by ticks: POSIX.1-2017, <sys/times.h>, <sys/resource.h>,
+// Processor time and other values counted in ticks: POSIX.1-2017, <sys/times.h>, <sys/resource.h>,
 // <time.h>; wait4(2), sysinfo(2), prlimit(2) of Linux.
 //
-// A program's processor time is slowed as its clock is. So it stays below the time that has passed,
-// times the processors, as whoever divides the two takes for granted: load meters, limiters of busy
-// loops, profilers. To the program, its processor is as much faster as its time is slower.
+// A program's processor time is slowed like its clock. So it does not exceed the elapsed time times
+// the number of processors, as programs expect that divide the two: load meters, limiters of busy
+// loops, profilers. For the program, its processor is faster by the factor by which its time is
+// slower.
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 #include <sys/times.h>
@@ -32,7 +33,7 @@ void convert(rusage& usage) {
   usage.ru_stime = programs::preload::for_program(usage.ru_stime);
 }
 
-/// RLIMIT_CPU, s; the other limits stay.
+/// Converts RLIMIT_CPU [s]; other limits are unchanged.
 template <class Limit>
 void to_kernel(int resource, Limit& limit) {
   if (resource != RLIMIT_CPU) return;
@@ -53,8 +54,8 @@ void to_program(int resource, Limit& limit) {
   }
 }
 
-/// @param limit  as the program gives it; null: it gives none. @param before  to be told; null: it
-/// is not. @param call  with the kernel's.
+/// @param limit  from the program; null: none. @param before  where the previous limit is stored;
+/// null: nowhere. @param call  called with the kernel's limit.
 template <class Limit, class Call>
 int limited(int resource, const Limit* limit, Limit* before, Call call) {
   Limit kernel{};
@@ -75,8 +76,8 @@ BARAKA_EXPORTED clock_t clock() noexcept {
   return dilation().to_program(kernel_time(CLOCK_PROCESS_CPUTIME_ID)) / kNanosecondsPerTick;
 }
 
-/// What it returns counts from 'an arbitrary point in the past': here, where time is slowed, from
-/// where the slowed CLOCK_MONOTONIC does.
+/// The result counts from 'an arbitrary point in the past': if time is slowed, from the same point
+/// as the slowed CLOCK_MONOTONIC.
 BARAKA_EXPORTED clock_t times(tms* usage) noexcept {
   const clock_t kernel = BARAKA_NEXT(times)(usage);
   if (dilation().is_none() || kernel == static_cast<clock_t>(-1)) return kernel;
@@ -107,7 +108,7 @@ BARAKA_EXPORTED pid_t wait3(int* status, int options, rusage* usage) noexcept {
   return wait4(-1, status, options, usage);
 }
 
-/// Seconds, rounded up as by the kernel. Its load averages are the computer's.
+/// Seconds are rounded up, as by the kernel. Load averages are those of the computer.
 BARAKA_EXPORTED int sysinfo(struct sysinfo* told) noexcept {
   const int status = BARAKA_NEXT(sysinfo)(told);
   if (status != 0 || dilation().is_none()) return status;
@@ -116,7 +117,7 @@ BARAKA_EXPORTED int sysinfo(struct sysinfo* told) noexcept {
   return status;
 }
 
-// The names with 64 in them are what programs call that were compiled for large files.
+// Functions with 64 in their names are called by programs compiled for large files.
 
 BARAKA_EXPORTED int prlimit(pid_t process, __rlimit_resource resource, const rlimit* limit,
                             rlimit* before) noexcept {
@@ -132,8 +133,8 @@ BARAKA_EXPORTED int prlimit64(pid_t process, __rlimit_resource resource, const r
   });
 }
 
-// The address sanitizer's runtime asks for limits before its shadow memory is there, and may not be
-// answered by code that is checked itself.
+// The runtime of the address sanitizer reads limits before its shadow memory exists, so it must not
+// be answered by instrumented code.
 #ifndef __SANITIZE_ADDRESS__
 
 BARAKA_EXPORTED int getrlimit(__rlimit_resource_t resource, rlimit* limit) noexcept {

@@ -1,7 +1,7 @@
-// Programs that a program becomes or starts: POSIX.1-2017, <unistd.h>, <spawn.h>. One that is
-// statically linked would live in the wall's time unnoticed, so it is refused where time is slowed,
-// as baraka does with what it starts itself. What the C library starts for system() and popen() is
-// the shell; execl() and its like do not come by here.
+// Programs that replace a program or are started by it: POSIX.1-2017, <unistd.h>, <spawn.h>. A
+// statically linked program would run in wall time unnoticed, so it is refused if time is slowed,
+// as baraka refuses it for the programs that it starts. For system() and popen() the C library
+// starts a shell; execl() and similar functions do not pass through here.
 #include <elf.h>
 #include <fcntl.h>
 #include <link.h>
@@ -29,8 +29,8 @@ bool read_at(int file, T& value, std::uint64_t place) {
   return pread(file, &value, sizeof value, static_cast<off_t>(place)) == sizeof value;
 }
 
-/// Of a shared object or program that can be moved: whether it says that it is a program. The
-/// loader itself is none.
+/// Whether a shared object or position-independent program is marked as a program. The loader
+/// itself is not.
 bool says_program(int file, const ElfW(Phdr) & dynamic) {
   for (std::size_t i = 0; i < dynamic.p_filesz / sizeof(ElfW(Dyn)); ++i) {
     ElfW(Dyn) entry;
@@ -40,7 +40,7 @@ bool says_program(int file, const ElfW(Phdr) & dynamic) {
   return false;
 }
 
-/// A program that names no loader.
+/// Whether it is a program without a loader.
 bool is_static(int file, const ElfW(Ehdr) & header) {
   bool is_program = header.e_type == ET_EXEC;
   for (std::size_t i = 0; i < header.e_phnum; ++i) {
@@ -52,10 +52,10 @@ bool is_static(int file, const ElfW(Ehdr) & header) {
   return is_program;
 }
 
-/// The beginning of a file, and null.
+/// The first bytes of a file, terminated by null.
 using Beginning = std::array<char, 256>;
 
-/// Cuts the interpreter out of "#! /path arguments"; null: it is none.
+/// Extracts the interpreter from "#! /path arguments"; null: the file is not a script.
 const char* interpreter_in(Beginning& text) {
   constexpr const char* kBlanks = " \t";
   if (text[0] != '#' || text[1] != '!') return nullptr;
@@ -71,11 +71,11 @@ bool is_static_elf(int file) {
          is_static(file, header);
 }
 
-/// Of the machine's own kind; anything else is left to the kernel. A script is what its first line
-/// names. Safe after fork().
+/// Whether a program for this machine is statically linked; anything else is left to the kernel.
+/// For a script, this is decided for the interpreter in its first line. Safe after fork().
 bool is_static(const char* path) {
   Beginning text{};
-  for (int scripts = 4; path != nullptr && scripts >= 0; --scripts) {  // Linux goes as far
+  for (int scripts = 4; path != nullptr && scripts >= 0; --scripts) {  // Linux has the same limit
     const int file = BARAKA_NEXT(open)(path, O_RDONLY | O_CLOEXEC);
     if (file < 0) return false;
     const bool result = is_static_elf(file);
@@ -101,7 +101,8 @@ bool is_refused(const char* path) {
   return true;
 }
 
-/// By the name that a shell would take: the first in the folders of PATH, unless it has a slash.
+/// For a name as a shell resolves it: the first match in the folders of PATH, unless it has a
+/// slash.
 bool is_refused_by_name(const char* name) {
   if (name == nullptr || programs::preload::ProcessTime::get().dilation().is_none()) return false;
   if (std::strchr(name, '/') != nullptr) return is_refused(name);
@@ -144,7 +145,7 @@ BARAKA_EXPORTED int execvp(const char* name, char* const arguments[]) noexcept {
   return execvpe(name, arguments, environ);
 }
 
-// POSIX gives them six parameters.
+// POSIX defines six parameters.
 // NOLINTNEXTLINE(readability-function-size)
 BARAKA_EXPORTED int posix_spawn(pid_t* __restrict process, const char* __restrict path,
                                 const posix_spawn_file_actions_t* __restrict actions,

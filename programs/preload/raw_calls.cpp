@@ -1,5 +1,5 @@
-// syscall(2): what programs ask of the kernel past the C library's calls. C++ runtimes wait for
-// futexes so.
+// syscall(2): system calls that programs make without the C library's functions. C++ runtimes wait
+// for futexes in this way.
 #include <linux/futex.h>
 #include <poll.h>
 #include <sys/epoll.h>
@@ -37,8 +37,8 @@ long pass_on(long number, const Arguments& a) {
   return BARAKA_NEXT(syscall)(number, a[0], a[1], a[2], a[3], a[4], a[5]);
 }
 
-/// futex(2): the fourth argument is a time-out in some operations only, and in most of them a
-/// moment.
+/// futex(2): the fourth argument is a time-out only in some operations; in most of them it is a
+/// point in time.
 long futex(const Arguments& a) {
   const auto operation = static_cast<int>(a[1]);
   const auto* const time = pointer<const timespec>(a[3]);
@@ -63,14 +63,15 @@ long futex(const Arguments& a) {
   }
 }
 
-/// clock_nanosleep() returns the error, its system call sets errno.
+/// Converts the result of clock_nanosleep(), an error number, to that of its system call, which
+/// sets errno.
 long as_system_call(int error) {
   if (error == 0) return 0;
   errno = error;
   return -1;
 }
 
-/// What tells of processor time, or of times of files.
+/// Calls about processor time or times of files.
 long counted(long number, const Arguments& a) {
   const auto first = static_cast<int>(a[0]);
   switch (number) {
@@ -90,7 +91,8 @@ long counted(long number, const Arguments& a) {
   }
 }
 
-/// What takes signals is called with their number of bytes, too: the C library knows it.
+/// Calls with signal sets have the size of the set as a further argument, which the C library
+/// supplies itself.
 long timed(long number, const Arguments& a) {
   const auto first = static_cast<int>(a[0]);
   switch (number) {
@@ -124,7 +126,7 @@ long timed(long number, const Arguments& a) {
   }
 }
 
-/// Those whose time-out is one of the arguments, with the same meaning.
+/// Index of the time-out in calls in which it is an argument with the same meaning.
 std::optional<std::size_t> duration_argument(long number) {
   switch (number) {
     case SYS_ppoll:
@@ -155,7 +157,7 @@ BARAKA_EXPORTED long syscall(long number, ...) noexcept {
   }
   const auto place = duration_argument(number);
   if (!place) return timed(number, arguments);
-  // These write what is left of the time back; the C library's own calls hide it, and so do we.
+  // These write the remaining time back; the C library's functions hide that, and so does this.
   const auto converted = ForKernel::duration(pointer<const timespec>(arguments[*place]));
   timespec copy{};
   if (converted.get() != nullptr) {

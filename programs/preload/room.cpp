@@ -21,7 +21,7 @@ namespace {
 
 netns::RoomPage* page = nullptr;
 
-/// Of a socket, kernel's time; negative: none.
+/// Send time-out of a socket in the kernel's time; negative: none.
 Nanoseconds send_timeout(int socket) {
   timeval timeout{};
   socklen_t length = sizeof timeout;
@@ -34,7 +34,7 @@ bool is_blocking(int socket, int flags) {
   return (flags & MSG_DONTWAIT) == 0 && (fcntl(socket, F_GETFL) & O_NONBLOCK) == 0;
 }
 
-/// Counts this thread among those to be woken.
+/// Counts this thread among those that wait, while the object exists.
 class Waiting {
  public:
   Waiting() { page->waiting().fetch_add(1); }
@@ -43,7 +43,7 @@ class Waiting {
   Waiting& operator=(const Waiting&) = delete;
 };
 
-/// What one datagram has of the places that it needs.
+/// The places that one datagram has so far.
 class Places {
  public:
   explicit Places(std::uint32_t fragments) : fragments_(fragments) {}
@@ -55,10 +55,11 @@ class Places {
   Places(const Places&) = delete;
   Places& operator=(const Places&) = delete;
 
-  /// @return whether it has all of them now.
+  /// Tries to take places. @return whether it has all of them now.
   bool take() {
     forget_what_was_given_up();
-    const std::uint32_t wanted = page->places_for(fragments_);  // before publish() it is not known
+    // not known before the first publish()
+    const std::uint32_t wanted = page->places_for(fragments_);
     if (count_ == 0 && page->reserve(wanted)) {
       count_ = wanted;
       return true;
@@ -71,11 +72,11 @@ class Places {
     return count_ >= wanted;
   }
   bool is_collecting() const { return collector_ != 0; }
-  /// They are the caller's.
+  /// Passes the places to the caller.
   std::uint32_t release() { return std::exchange(count_, 0); }
 
  private:
-  /// If this process was stopped for long.
+  /// After this process was stopped for long, its places may have been given up.
   void forget_what_was_given_up() {
     if (collector_ == 0 || page->is_collecting(collector_)) return;
     collector_ = 0;
@@ -85,7 +86,7 @@ class Places {
   std::uint32_t fragments_, count_ = 0, collector_ = 0;
 };
 
-/// @param left  of the time, or negative: for ever. @return 0: look again.
+/// @param left  remaining time; negative: no limit. @return 0: try again; else the error.
 int wait_for_change(std::uint32_t seen, Nanoseconds left, bool is_collecting) {
   constexpr Nanoseconds kBeat = 50'000'000;
   if (left == 0) return EAGAIN;
@@ -109,7 +110,7 @@ int wait_for_places(Places& places, Nanoseconds longest) {
 
 }  // namespace
 
-/// Early: programs change their root, or forbid themselves to open files.
+/// Early, because programs change their root or give up the right to open files.
 __attribute__((constructor)) static void map_page() {
   const char* const path = std::getenv(netns::kRoomVariable);
   if (path == nullptr) return;
@@ -127,7 +128,7 @@ netns::RoomPage* room() { return page; }
 
 int wait_for_room(std::uint32_t seen, Nanoseconds longest) {
   const timespec time = to_timespec(longest);
-  // If room was made since `seen`, the futex is another one and does not wait.
+  // If there was new room after `seen`, the futex has changed, and the call does not wait.
   const Waiting waiting;
   const long status = BARAKA_NEXT(syscall)(SYS_futex, &page->change(), FUTEX_WAIT, seen,
                                            longest < 0 ? nullptr : &time, nullptr, 0);

@@ -5,23 +5,24 @@
 
 namespace programs::preload {
 
-/// Of the agent that this process runs in; null: it runs in none, and nothing is held back.
+/// The page of the agent in which this process runs; null: it runs in none, and nothing is held
+/// back.
 netns::RoomPage* room();
 
-/// Waits until there may be room that was not.
-/// @param seen  of room()->change(), before there was found to be none.
-/// @param longest  of the kernel's time; negative: for ever.
+/// Waits until there may be new room.
+/// @param seen  value of room()->change() before the check that found no room.
+/// @param longest  of the kernel's time; negative: no limit.
 /// @return 0, or ETIMEDOUT, or EINTR.
 int wait_for_room(std::uint32_t seen, Nanoseconds longest);
 
-/// Takes places for what a socket is to send, and waits for them as the socket would: for ever, up
-/// to its SO_SNDTIMEO, or not at all.
+/// Takes places for data that a socket is about to send, and waits for them as the socket would
+/// wait: without limit, up to its SO_SNDTIMEO, or not at all.
 /// @param fragments  at least 1. @param flags  of send().
-/// @param places  how many it took: those of the fragments, or all of the queue if that has fewer.
-/// @return 0, or the error that the call ends with; then it took none.
+/// @param places  number of places taken: one per fragment, or the whole queue if that has fewer.
+/// @return 0, or the error with which the call fails; then no places were taken.
 int take_places(int socket, std::uint32_t fragments, int flags, std::uint32_t& places);
 
-/// What became of them.
+/// Returns places after the call. @param is_sent  whether their frames were sent.
 void return_places(std::uint32_t places, bool is_sent);
 
 }  // namespace programs::preload

@@ -1,5 +1,5 @@
-// What programs send, held back until there is room for it on the air: POSIX.1-2017,
-// <sys/socket.h>, <sys/uio.h>, <unistd.h>; sendmmsg(2).
+// Sending, which is held back until there is room on the air: POSIX.1-2017, <sys/socket.h>,
+// <sys/uio.h>, <unistd.h>; sendmmsg(2).
 #include <sys/socket.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@ using programs::preload::Datagram;
 using programs::preload::return_places;
 using programs::preload::room;
 
-/// What `call` sends, once there is room for it.
+/// Sends by `call` as soon as there is room for the datagram.
 template <class Call>
 ssize_t send_held_back(const Datagram& datagram, int flags, const Call& call) {
   if (room() == nullptr) return call();
@@ -56,7 +56,7 @@ class Batch {
     count_ = std::min<unsigned>(count, static_cast<unsigned>(places_.size()));
   }
 
-  /// @return 0, or the error of the first.
+  /// @return 0, or the error for the first message.
   int take(int flags) {
     for (; taken_ < count_; ++taken_) {
       const std::uint32_t frames =
@@ -97,7 +97,7 @@ BARAKA_EXPORTED ssize_t send(int socket, const void* bytes, size_t length, int f
                         [=] { return BARAKA_NEXT(send)(socket, bytes, length, flags); });
 }
 
-// POSIX gives it six parameters.
+// POSIX defines six parameters.
 // NOLINTNEXTLINE(readability-function-size)
 BARAKA_EXPORTED ssize_t sendto(int socket, const void* bytes, size_t length, int flags,
                                const sockaddr* to, socklen_t to_length) {
@@ -112,7 +112,7 @@ BARAKA_EXPORTED ssize_t sendmsg(int socket, const msghdr* message, int flags) {
                         [=] { return BARAKA_NEXT(sendmsg)(socket, message, flags); });
 }
 
-/// Fewer than asked for if there is no room for more.
+/// May send fewer messages than asked for if there is no room for more.
 BARAKA_EXPORTED int sendmmsg(int socket, mmsghdr* messages, unsigned count, int flags) {
   if (room() == nullptr) return BARAKA_NEXT(sendmmsg)(socket, messages, count, flags);
   unsigned sent = 0;

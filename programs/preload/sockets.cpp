@@ -1,4 +1,4 @@
-// Time-outs of sockets, and when the kernel says that something came in: socket(7), recvmmsg(2),
+// Time-outs of sockets, and time stamps of received packets: socket(7), recvmmsg(2),
 // Documentation/networking/timestamping.rst of Linux.
 #include <linux/sockios.h>
 #include <sys/ioctl.h>
@@ -19,7 +19,7 @@ using programs::preload::is_time;
 using programs::preload::Nanoseconds;
 using programs::preload::ProcessTime;
 
-// The same on machines of 64 bits, by two numbers each.
+// On machines with 64 bits the old and the new numbers mean the same.
 bool is_timeout(int level, int option) {
   return level == SOL_SOCKET && (option == SO_RCVTIMEO_OLD || option == SO_RCVTIMEO_NEW ||
                                  option == SO_SNDTIMEO_OLD || option == SO_SNDTIMEO_NEW);
@@ -29,7 +29,7 @@ Nanoseconds received_at(Nanoseconds kernel) {
   return ProcessTime::get().to_program(kernel, CLOCK_REALTIME);
 }
 
-/// A moment at which something came in; zero: there is none.
+/// Converts the time at which something was received; zero: there is none.
 void convert(timespec& moment) {
   if (moment.tv_sec == 0 && moment.tv_nsec == 0) return;
   moment = programs::preload::to_timespec(received_at(programs::preload::nanoseconds(moment)));
@@ -39,7 +39,7 @@ void convert(timeval& moment) {
   moment = programs::preload::to_timeval(received_at(programs::preload::nanoseconds(moment)));
 }
 
-/// The first of a control message's data.
+/// Converts the first value in a control message's data.
 template <class Value>
 void convert_first(cmsghdr& control) {
   Value value;
@@ -60,7 +60,7 @@ void convert_timestamps(msghdr& message) {
         break;
       case SO_TIMESTAMPNS_OLD:
       case SO_TIMESTAMPNS_NEW:
-      // Three times; the others are of the card's own clock.
+      // Three times; the second and third are of the device's own clock.
       case SO_TIMESTAMPING_OLD:
       case SO_TIMESTAMPING_NEW:
         convert_first<timespec>(*control);
@@ -104,7 +104,7 @@ BARAKA_EXPORTED ssize_t recvmsg(int socket, msghdr* message, int flags) {
   return length;
 }
 
-/// Linux writes what is left of the time back.
+/// Linux writes the remaining time back.
 BARAKA_EXPORTED int recvmmsg(int socket, mmsghdr* messages, unsigned count, int flags,
                              timespec* timeout) {
   const auto kernel = ForKernel::duration(timeout);

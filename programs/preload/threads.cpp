@@ -1,5 +1,5 @@
-// Waits of threads for each other: POSIX.1-2017, <pthread.h>, <semaphore.h>, <mqueue.h>,
-// <sys/sem.h>, <aio.h>; C11, 7.26; and those of the GNU C library that name a clock.
+// Waiting of threads for each other: POSIX.1-2017, <pthread.h>, <semaphore.h>, <mqueue.h>,
+// <sys/sem.h>, <aio.h>; C11, 7.26; and functions of the GNU C library with a clock argument.
 #include <aio.h>
 #include <mqueue.h>
 #include <pthread.h>
@@ -15,8 +15,8 @@ using programs::preload::ForKernel;
 
 namespace {
 
-/// By which its timed waits go. The GNU C library keeps it in bit 1 of this field since 2.25
-/// (nptl/pthread_cond_common.c), and no call tells it.
+/// The clock of timed waits for a condition. The GNU C library has it in bit 1 of this field since
+/// 2.25 (nptl/pthread_cond_common.c), and no function returns it.
 clockid_t clock_of(const pthread_cond_t& condition) {
   constexpr unsigned kMonotonic = 2;
   return (condition.__data.__wrefs & kMonotonic) != 0 ? CLOCK_MONOTONIC : CLOCK_REALTIME;

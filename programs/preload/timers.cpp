@@ -25,9 +25,10 @@ using programs::preload::kSecond;
 using programs::preload::Nanoseconds;
 using programs::preload::ProcessTime;
 
-/// The first expiry, at a moment of this clock or after a time, and then periodically.
+/// Converts a setting: the first expiry at a time of this clock, or after a duration, and the
+/// period.
 itimerspec for_kernel(const itimerspec& setting, std::optional<clockid_t> moment_of) {
-  // Zero disarms the timer, as a moment, too.
+  // Zero disarms the timer, also if it is a point in time.
   const bool is_armed = setting.it_value.tv_sec != 0 || setting.it_value.tv_nsec != 0;
   const auto first = moment_of && is_armed ? ForKernel::moment(&setting.it_value, *moment_of)
                                            : ForKernel::duration(&setting.it_value);
@@ -38,7 +39,7 @@ itimerspec told_to_program(const itimerspec& setting) {
   return {for_program(setting.it_interval), for_program(setting.it_value)};
 }
 
-/// By which a descriptor of a timer goes, as the kernel tells in /proc.
+/// The clock of a timer descriptor, as shown in /proc.
 std::optional<clockid_t> clock_of_descriptor(int descriptor) {
   std::array<char, 64> name{};
   std::snprintf(name.data(), name.size(), "/proc/self/fdinfo/%d", descriptor);
@@ -53,7 +54,8 @@ std::optional<clockid_t> clock_of_descriptor(int descriptor) {
   return static_cast<clockid_t>(std::strtol(found + std::strlen(kKey), nullptr, 10));
 }
 
-/// The clocks of this process's timers, which no call tells. Never destroyed: timers outlive it.
+/// The clocks of this process's timers, which no function returns. Never destroyed, because timers
+/// can exist longer.
 std::mutex timers_mutex;
 std::map<timer_t, clockid_t>* clocks_of_timers = nullptr;
 
@@ -163,7 +165,8 @@ BARAKA_EXPORTED int getitimer(__itimer_which_t which, itimerval* setting) noexce
   return status;
 }
 
-/// The same timer as ITIMER_REAL on Linux; what is left is rounded to seconds as there, up from 0.
+/// On Linux this is the timer ITIMER_REAL; the remaining time is rounded to seconds as in Linux,
+/// but up if it is less than one.
 BARAKA_EXPORTED unsigned alarm(unsigned seconds) noexcept {
   const itimerval setting{{}, {static_cast<time_t>(seconds), 0}};
   itimerval before{};

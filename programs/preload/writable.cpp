@@ -17,7 +17,7 @@ bool wants_room(const pollfd* descriptors, nfds_t count) {
 }
 
 bool wants_room(int count, const fd_set* writable) {
-  // Programs with more descriptors bring sets of their own size.
+  // Programs with more descriptors use sets of their own size.
   if (room() == nullptr || writable == nullptr || count > FD_SETSIZE) return false;
   for (int i = 0; i < count; ++i) {
     if (FD_ISSET(i, writable) && is_held_back(i)) return true;

@@ -12,24 +12,24 @@
 
 namespace programs::preload {
 
-/// Whether any of these is a socket that is to be writable and waits for room. epoll(7) is not
-/// asked so, for its events name no descriptor: who gets EAGAIN there and waits for EPOLLOUT gets
-/// it at once, and tries again and again.
+/// Whether one of these is a socket that should be writable but has no room. This is not available
+/// for epoll(7), whose events do not identify a descriptor: a program that gets EAGAIN and waits
+/// there for EPOLLOUT gets it at once, and tries again and again.
 bool wants_room(const pollfd* descriptors, nfds_t count);
 bool wants_room(int count, const fd_set* writable);
 
-/// Takes back that those are writable. @return how many are ready for something else.
+/// Marks them as not writable. @return how many are ready for something else.
 int ready_without_room(pollfd* descriptors, nfds_t count);
 
 void clear_without_room(int count, fd_set& writable);
-/// In all sets together, as select() counts. Null: none.
+/// Number of members of all sets together, as select() counts them. Null: no set.
 int members(int count, std::initializer_list<const fd_set*> sets);
 
-/// Looks until something is ready, or there is room for a frame, as poll() waits.
-/// @param longest  of the kernel's time; negative: for ever.
-/// @param look  asks the kernel, with the time left; null: for ever.
-/// @param strip  takes back what is writable; returns how many are ready all the same. What comes
-///   ready while there is no room is noticed within a millisecond.
+/// Waits as poll() does until something is ready, or there is room for a frame.
+/// @param longest  of the kernel's time; negative: no limit.
+/// @param look  asks the kernel, with the time that is left; null: no limit.
+/// @param strip  removes what is writable; returns how many are still ready. What becomes ready
+/// while there is no room is noticed within a millisecond.
 template <class Look, class Strip>
 int until_ready(Nanoseconds longest, const Look& look, const Strip& strip) {
   constexpr Nanoseconds kMillisecond = 1'000'000;

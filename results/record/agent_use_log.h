@@ -9,14 +9,14 @@
 
 namespace results::record {
 
-/// The table agent_use.
+/// Writes the table agent_use.
 class AgentUseLog final : public TopicWriter {
  public:
   AgentUseLog(Database& database, bool counts_frames);
 
   static std::vector<Table> tables();
 
-  /// @pre once for an agent.
+  /// Call once per agent, at the end of the run.
   void add(hal::AgentId agent, const sim::agents::AgentUse& use);
 
   void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override;

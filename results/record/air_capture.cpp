@@ -10,7 +10,7 @@
 namespace results::record {
 namespace {
 
-/// Of the middle of a channel; profiles without waves are on channel 1.
+/// Centre frequency of a channel. Radio models without waves are on channel 1.
 std::uint16_t megahertz(std::uint32_t channel) {
   return static_cast<std::uint16_t>(sim::radio::centre_frequency(channel).value / 1e6);
 }
@@ -26,7 +26,7 @@ std::optional<double> noise_of(const sim::radio::RadioConfig& config) {
   return waves->receiver.noise_floor.value;
 }
 
-/// From the frame's begin to the last bit of its MPDU, and to the first.
+/// From the begin of the frame to the last bit of its MPDU, and to its first bit.
 hal::Duration until_last_bit(const sim::radio::Frame& frame) {
   return frame.airtime - (frame.mode == nullptr ? hal::Duration{} : frame.mode->signal_extension());
 }

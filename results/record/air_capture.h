@@ -13,24 +13,26 @@
 
 namespace results::record {
 
-/// Writes the frames of a run as they are on the air to a capture file: all that are sent, as an
-/// ear hears them that is everywhere and loses none, or what one station sends and receives.
+/// Writes the frames of a run to a capture file: either all frames that are sent, as an ideal
+/// monitor would capture them that hears every station and loses nothing, or the frames that one
+/// station sends and receives.
 ///
-/// The time of a packet is when the last bit of its frame was there: at its transmitter, or at the
-/// station. So they are in order. Frames that are broken off, or still in the air at the end, are
-/// not written; of a station, neither are those that it lost: all that are there have a right FCS.
-/// Bytes are those of radio::encode(), also where `lengths: fixed` gives frames another length on
-/// the air.
+/// The time stamp of a packet is the time of the last bit of its frame, at the transmitter or at
+/// the receiving station, so packets are in order of time. Frames that are aborted, or still in the
+/// air at the end, are not written; nor, in the capture of one station, are frames that it failed
+/// to receive: every packet has a correct FCS. The bytes are those of radio::encode(), also where
+/// `lengths: fixed` gives frames another length on the air.
 class AirCapture final : public sim::agents::Observer {
  public:
-  /// Numbers of the stations that are not on the radio's own channel.
+  /// Channel numbers of the stations that are not on the radio's own channel.
   using Channels = std::map<hal::AgentId, std::uint32_t>;
   struct Air {
     const sim::radio::RadioConfig& config;
     Channels others{};
   };
-  /// @param heard_by  none: the ear, on all channels.  @param interface  its name in the file.
-  /// @throws std::runtime_error  the file cannot be written; so does all that follows.
+  /// @param heard_by  the station whose frames are captured; none: all frames, on all channels.
+  /// @param interface  name of the interface in the file.
+  /// @throws std::runtime_error  the file cannot be written; the other members throw it as well.
   AirCapture(const std::filesystem::path& file, const Air& air,
              std::optional<hal::AgentId> heard_by, std::string_view interface);
 
@@ -39,14 +41,14 @@ class AirCapture final : public sim::agents::Observer {
   void on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override;
 
-  /// Makes what there is so far readable for others.
+  /// Flushes what has been captured so far, so that others can read it.
   void flush() { file_.flush(); }
 
-  /// Writes what was sent and ended before, or at, the end of the run.
+  /// Writes the frames whose transmission ended before or at the end of the run.
   void finish(hal::Time ended_at);
 
  private:
-  /// Of the transmitter.
+  /// A frame that is being transmitted.
   struct InTheAir {
     std::uint64_t frame = 0;
     hal::Bytes packet;
@@ -56,11 +58,12 @@ class AirCapture final : public sim::agents::Observer {
   std::uint16_t frequency_of(const sim::radio::Frame& frame) const;
 
   std::optional<hal::AgentId> heard_by_;
-  std::uint16_t frequency_;                            ///< MHz …
-  std::map<hal::AgentId, std::uint16_t> of_stations_;  ///< … and of those on other channels.
+  std::uint16_t frequency_;                            ///< MHz, of the radio's own channel.
+  std::map<hal::AgentId, std::uint16_t> of_stations_;  ///< MHz, of stations on other channels.
   std::optional<double> noise_dbm_;
   PcapngFile file_;
-  std::multimap<hal::Time, InTheAir> in_the_air_;  ///< By end; of equals the first to begin first.
+  /// By end of the transmission; ties are in order of begin.
+  std::multimap<hal::Time, InTheAir> in_the_air_;
 };
 
 }  // namespace results::record

@@ -11,7 +11,7 @@ namespace {
 using sim::air::AirAccount;
 using sim::air::AirKind;
 
-/// Null where there is none.
+/// Null if the frames of that kind have no topic.
 std::optional<std::string> topic_of(const sim::air::Ledger& ledger, const AirKind& kind) {
   if (kind.topic == 0) return std::nullopt;
   return ledger.endpoints().topics()[kind.topic];

@@ -13,11 +13,11 @@
 
 namespace results::record {
 
-/// The tables of what the air is used for: air_accounts, air_ends, air_writers, air_seconds,
-/// dds_endpoints, sample_sums, sample_losses, sample_latencies and samples. It keeps the ledger.
+/// Writes the tables about the use of the air: air_accounts, air_ends, air_writers, air_seconds,
+/// dds_endpoints, sample_sums, sample_losses, sample_latencies and samples. Owns the ledger.
 class AirLog final : public TopicWriter {
  public:
-  /// @param samples  kNone: nothing of samples, kCounts: sums, kAll: these and each delivery.
+  /// @param samples  DDS samples: kNone records nothing, kCounts sums, kAll sums and each delivery.
   AirLog(Database& database, sim::scenario::Detail samples);
   AirLog(const AirLog&) = delete;
   AirLog& operator=(const AirLog&) = delete;
@@ -53,7 +53,7 @@ class AirLog final : public TopicWriter {
   }
 
   void write(hal::Time now) override;
-  /// Without those of samples.
+  /// Without the tables of samples.
   Pending pending() const override { return {.rows = ledger_.accounts().changes()}; }
   void finish(hal::Time ended_at) override { ledger_.finish(ended_at); }
 
@@ -72,10 +72,11 @@ class AirLog final : public TopicWriter {
       put_latency_, insert_sample_;
   sim::scenario::Detail samples_;
   sim::air::Ledger ledger_;
-  std::vector<std::string> guids_;  ///< As texts, by EndpointIndex.
+  std::vector<std::string> guids_;  ///< Text forms, by EndpointIndex.
 };
 
-/// "0110a1b2.c3d4e5f6.00000001.000003c2", as tshark and Fast DDS have it but for their dots.
+/// Format: "0110a1b2.c3d4e5f6.00000001.000003c2", as tshark and Fast DDS print it except for the
+/// places of the dots.
 std::string guid_text(const hal::rtps::Guid& guid);
 
 }  // namespace results::record

@@ -10,7 +10,7 @@
 
 namespace results::record {
 
-/// The table associations.
+/// Writes the table associations.
 class AssociationLog final : public TopicWriter {
  public:
   AssociationLog(Database& database, Commits& commits);

@@ -53,13 +53,13 @@ void BodyLog::note_change(hal::AgentId agent, Track& track) {
 
 void BodyLog::write_pose(hal::Time at, hal::AgentId agent, Track& track) {
   if (at < track.next_row) return;
-  // Rows stay on the grid of the period, however a control cycle is phased.
+  // Rows are aligned to multiples of the period, whatever the phase of the control cycle is.
   const auto periods = at.time_since_epoch() / period_;
   track.next_row = hal::Time{(periods + 1) * period_};
   if (track.written == track.last) return;
   track.written = track.last;
   insert_pose_.run(agent.value, hal::to_ns(at), track.last->x, track.last->y, track.last->theta);
-  // Who has not moved since the last row was not pushed either: who did it is.
+  // A body that has not moved since its last row was not pushed either; the body that pushes moves.
   commits_.on_rows(at, 1 + look_at_contacts(at, agent, track));
 }
 

@@ -8,10 +8,11 @@
 namespace results::record {
 namespace {
 
-/// More than radio waves need from one end of any field to the other (300 km).
+/// Upper limit of the propagation delay across any field (300 km).
 constexpr hal::Duration kLongestPropagation = std::chrono::milliseconds{1};
 
-/// The message that its own sender broadcasts with this frame.
+/// Number of the message that its sender broadcasts with this frame; none if the frame is another
+/// one.
 std::optional<hal::MessageId> own_broadcast(const sim::radio::Frame& frame) {
   if (!frame.is_broadcast() || frame.ethertype != sim::radio::kEthertypeRouting || !frame.payload) {
     return std::nullopt;

@@ -14,13 +14,14 @@
 
 namespace results::record {
 
-/// Finds out why a broadcast of a controller reached nobody: the network cannot tell, because
-/// nobody acknowledges it, but the air can. Looks at the one frame by which the message leaves its
-/// sender; if no radio receives that, there is nothing to relay.
+/// Finds out why a broadcast message of a controller reached nobody. The network cannot tell,
+/// because broadcasts are not acknowledged, but the receptions can. It watches the one frame by
+/// which the message leaves its sender: if no radio receives that, nobody can relay the message.
 class BroadcastWatch {
  public:
-  /// Told of a message that no radio received: why most radios that noticed its frame lost it (of
-  /// equals, the first in Verdict), kBelowSensitivity if none noticed it.
+  /// Called for a message that no radio received, with the most frequent verdict among the radios
+  /// that sensed its frame (ties go to the verdict that comes first in Verdict), or
+  /// kBelowSensitivity if no radio sensed it.
   using Unheard = std::function<void(hal::AgentId, hal::MessageId, hal::Verdict)>;
 
   explicit BroadcastWatch(Unheard unheard) : unheard_(std::move(unheard)) {}
@@ -28,8 +29,8 @@ class BroadcastWatch {
   void on_frame_start(hal::Time at, const sim::radio::Frame& frame);
   void on_reception(const sim::radio::Frame& frame, hal::Verdict verdict);
 
-  /// Speaks of the last broadcast of each sender, if it has left the air by `ended_at`. The earlier
-  /// ones were spoken of when the next one began.
+  /// Decides the last broadcast of each sender if its frame has ended by `ended_at`. Earlier
+  /// broadcasts were decided when the next one began.
   void finish(hal::Time ended_at);
 
  private:

@@ -12,12 +12,12 @@
 namespace results::record {
 namespace {
 
-constexpr std::int64_t kFirstGroup = 65534;  // neighbours, everyone
+constexpr std::int64_t kFirstGroup = 65534;  // group addresses: neighbours, everyone
 constexpr std::size_t kAddresses = 65536;
-constexpr int kLongestRow = 32 << 20;  // bytes, of one text as well
-constexpr std::size_t kShown = 60;     // characters of a value
+constexpr int kLongestRow = 32 << 20;  // bytes, also of one text
+constexpr std::size_t kShown = 60;     // characters of a value in a message
 
-/// Its value, for a message: a text in quotes, shortened.
+/// The value for a message: texts are quoted and shortened.
 std::string shown(sqlite3_stmt* statement, int column) {
   switch (sqlite3_column_type(statement, column)) {
     case SQLITE_NULL:
@@ -34,7 +34,7 @@ std::string shown(sqlite3_stmt* statement, int column) {
   }
 }
 
-/// What tells the rows of a table apart, as SQL.
+/// SQL expression that identifies the rows of a table in messages.
 std::string row_sql(const Table& table) {
   if (table.primary_key.empty()) return "rowid";
   std::string sql;
@@ -47,7 +47,7 @@ std::string row_sql(const Table& table) {
   return sql;
 }
 
-/// Of "MAX(l.count)", "count"; else as it is.
+/// "count" for "MAX(l.count)"; other names are returned as they are.
 std::string_view name_behind(std::string_view result) {
   for (const std::string_view function : {"SUM(", "MIN(", "MAX("}) {
     if (!result.starts_with(function) || !result.ends_with(")")) continue;
@@ -66,7 +66,7 @@ std::string tables_of(const ColumnsRead& reading) {
   return fmt::format("table{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", "));
 }
 
-/// ", row 17" if the statement gives the number.
+/// ", row 17" if the statement selects rowid, else "".
 std::string row_of(sqlite3_stmt* statement) {
   for (int i = 0; i < sqlite3_column_count(statement); ++i) {
     const char* const name = sqlite3_column_name(statement, i);
@@ -77,7 +77,7 @@ std::string row_of(sqlite3_stmt* statement) {
   return "";
 }
 
-/// Of a value that is to be read so; "": nothing.
+/// Why a value cannot be read as the type `as`; "" if it can.
 std::string_view wrong_type(int type, CellRule::Kind as) {
   if (type == SQLITE_BLOB) return "not a number, nor a text";
   if (type == SQLITE_NULL) return "";
@@ -139,8 +139,8 @@ void CellCheck::learn(const std::vector<std::int64_t>& agents, std::int64_t end)
   }
 }
 
-// Called also when SQLite prepares a statement again because the tables have changed. Parameters
-// are SQLite's. NOLINTNEXTLINE(readability-function-size)
+// SQLite also calls it when it prepares a statement again because the tables have changed. SQLite
+// defines the parameters. NOLINTNEXTLINE(readability-function-size)
 int CellCheck::authorize(void* self, int action, const char* first, const char* second,
                          const char* /*database*/, const char* /*trigger*/) {
   auto& check = *static_cast<CellCheck*>(self);
@@ -167,7 +167,8 @@ const CellRule* CellCheck::rule_at(std::string_view table, std::string_view colu
 
 void CellCheck::begin() { collected_.clear(); }
 
-/// Of a computed value: that of the cells that it is called as, or is the sum or the greatest of.
+/// For a computed value: the rule of the cells whose name it has, or whose sum, minimum or maximum
+/// it is.
 const CellRule* CellCheck::rule_of_result(sqlite3_stmt* statement, int column) const {
   const std::string_view name = sqlite3_column_name(statement, column);
   const auto known = by_name_.find(name_behind(name));
@@ -234,7 +235,7 @@ void CellCheck::look_closer(sqlite3_stmt* statement, int column, CellRule::Kind 
   const CellRule* const rule = reading.results[place];
   if (rule != nullptr && !fits(statement, column, *rule)) {
     if (!reading.is_derived[place]) refuse_bad_row(*rule);
-    // An outer join has no row to give.
+    // A null from an outer join does not come from a row.
     if (sqlite3_column_type(statement, column) == SQLITE_NULL) return;
     refuse(statement, column, reading, expected(*rule));
   }
@@ -245,7 +246,7 @@ void CellCheck::look_closer(sqlite3_stmt* statement, int column, CellRule::Kind 
 
 void CellCheck::refuse(sqlite3_stmt* statement, int column, const ColumnsRead& reading,
                        std::string_view why) const {
-  // A sum is wrong because a cell is.
+  // If a sum is wrong, one of its cells is: report that.
   if (reading.is_derived[static_cast<std::size_t>(column)]) refuse_bad_rows(reading);
   throw std::runtime_error(fmt::format("{}: {}{}: {} is {}, {}", file_, tables_of(reading),
                                        row_of(statement), sqlite3_column_name(statement, column),
@@ -271,8 +272,8 @@ void CellCheck::refuse_bad_row(const CellRule& rule) const {
 
 void CellCheck::fail(const ColumnsRead& reading) const {
   const std::string reason = sqlite3_errmsg(handle_);
-  // A sum is too large, or a page is damaged: a cell may tell. Where somebody else has the file
-  // there is nothing to look at.
+  // If a sum overflows or a page is damaged, one of the cells may be the cause. If another process
+  // has locked the file, no cell can be read.
   const int code = sqlite3_errcode(handle_);
   if (code == SQLITE_ERROR || code == SQLITE_CORRUPT || code == SQLITE_TOOBIG) {
     refuse_bad_rows(reading);

@@ -14,40 +14,42 @@ struct sqlite3_stmt;
 
 namespace results::record {
 
-/// What a statement reads: the rules of its result columns and of all columns that it looks at.
+/// What a statement reads: the rules of its result columns, and those of all columns that it uses.
 struct ColumnsRead {
-  std::vector<const CellRule*> results;  ///< Null: computed, and nothing is known of it.
-  std::vector<bool> is_derived;          ///< Of each: not a cell of a table as it stands.
+  std::vector<const CellRule*> results;  ///< Null: a computed value without a rule.
+  std::vector<bool> is_derived;  ///< By result column: it is computed, not a cell of a table.
   std::vector<const CellRule*> columns;
 };
 
-/// What stands between a file of tables and whoever reads it: the file has these tables as they are
-/// written and its own code in it (views, triggers, expressions) is not run, statements only read,
-/// and every cell that they give is one that its column may hold. What is refused is named with
-/// file, table, row and column: std::runtime_error. One thread.
+/// Protects readers from a database file that somebody else may have written. It requires that the
+/// file has the tables as create_tables() makes them, does not run code of the file (views,
+/// triggers, expressions), allows statements only to read, and checks that the column of each cell
+/// allows its value. Errors are std::runtime_error with file, table, row and column. One thread.
 ///
-/// A cell is looked at when it is read, so that reading costs in proportion to what is read. The
-/// row of a bad one is searched for only then. Cells that only a condition or a sum sees are not
-/// looked at one by one, sums are as a whole.
+/// A cell is checked when it is read, so the cost is proportional to what is read; the row of a bad
+/// cell is searched for only when there is one. Cells that are used only in a condition or a sum
+/// are not checked one by one, but sums are.
 class CellCheck {
  public:
-  /// Sets the file up for careful reading.
-  /// @param tables  that it must have; they outlive this object.
-  /// @throws std::runtime_error  it has others by these names.
+  /// Puts the connection into SQLite's defensive mode.
+  /// @param tables  that the file must have; they outlive this object.
+  /// @throws std::runtime_error  a table is missing or differs.
   CellCheck(sqlite3* handle, std::string file, const std::vector<Table>& tables);
   ~CellCheck();
   CellCheck(const CellCheck&) = delete;
   CellCheck& operator=(const CellCheck&) = delete;
 
-  /// From now on agents are these, and no time is after this [ns].
+  /// From now on agents must be among these, and no time may be later than `end` [ns].
   void learn(const std::vector<std::int64_t>& agents, std::int64_t end);
 
-  /// From now on columns are collected, until take().
+  /// From now on the columns that a statement uses are collected, until take().
   void begin();
   ColumnsRead take(sqlite3_stmt* statement);
 
-  /// @param as  how it is read: a computed value and one of any type must be of it.
-  /// @throws std::runtime_error  the cell of the current row may not be.
+  /// @param as  type that the caller reads: checked where the rule leaves the type open, and for
+  /// computed values without a rule.
+  /// @throws std::runtime_error  the cell of the current row has a value that its column does not
+  /// allow.
   void check(sqlite3_stmt* statement, int column, CellRule::Kind as,
              const ColumnsRead& reading) const {
     const CellRule* const rule = reading.results[static_cast<std::size_t>(column)];
@@ -56,12 +58,13 @@ class CellCheck {
     look_closer(statement, column, as, reading);
   }
 
-  /// @throws std::runtime_error  the value of the current row is wrong in the eyes of its reader.
+  /// Refuses a value that its reader finds wrong.
   /// @param why  "is before that of the row above"
+  /// @throws std::runtime_error  always.
   [[noreturn]] void refuse(sqlite3_stmt* statement, int column, const ColumnsRead& reading,
                            std::string_view why) const;
 
-  /// @throws std::runtime_error  SQLite cannot go on with a statement; with its reason.
+  /// @throws std::runtime_error  always: SQLite failed in a statement; with its reason.
   [[noreturn]] void fail(const ColumnsRead& reading) const;
 
  private:
@@ -83,9 +86,9 @@ class CellCheck {
   std::string file_;
   std::vector<CellRule> rules_;
   std::map<Place, const CellRule*> by_place_;
-  std::map<std::string_view, CellRule*> by_name_;  ///< Of names that mean the same everywhere.
-  std::vector<CellRule> derived_;                  ///< Of by_name_.
-  std::vector<bool> agents_;                       ///< By address; empty: not known yet.
+  std::map<std::string_view, CellRule*> by_name_;  ///< Names with the same rule in all tables.
+  std::vector<CellRule> derived_;                  ///< The rules in by_name_.
+  std::vector<bool> agents_;                       ///< By address; empty: agents are not known yet.
   std::vector<const CellRule*> collected_;
 };
 

@@ -16,11 +16,11 @@ using Kind = CellRule::Kind;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t kMostAgents = 65535;  // and everyone
-/// Of frames, messages, bytes, ...: beyond it binary64 has gaps. A radio that sends a million
-/// frames a second for 32 years stays below.
+constexpr std::int64_t kMostAgents = 65535;  // includes the group addresses
+/// Greatest number of frames, messages, bytes, ...: above it binary64 cannot represent all
+/// integers. A radio that sends a million frames per second for 32 years stays below it.
 constexpr std::int64_t kMostCounted = std::int64_t{1} << 53;
-/// A sum of times: of all agents, or of all messages.
+/// Greatest sum of times, over all agents or all messages.
 constexpr std::int64_t kLongestSum = std::int64_t{1} << 62;
 constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
 constexpr double kFarthest = 1e12;       // m and rad
@@ -35,14 +35,14 @@ constexpr std::array<std::string_view, 5> kAddressColumns{"peer", "receiver", "d
 constexpr std::array<std::string_view, 7> kFlagColumns{
     "addressed", "retry", "found", "replied", "began", "is_default", "expectations_met"};
 constexpr std::array<std::string_view, 3> kShortColumns{"sequence", "hops", "port"};
-/// That are read as int.
+/// Columns that are read as int.
 constexpr std::array<std::string_view, 6> kIntColumns{"point",    "factor",        "replication",
                                                       "attempts", "transmissions", "process"};
 constexpr std::array<std::string_view, 4> kAnyIntegerColumns{"seed", "hash", "frame", "status"};
 constexpr std::array<std::string_view, 3> kTimeColumns{"at_ns", "sent_ns", "fate_ns"};
 constexpr std::array<std::string_view, 6> kLongTextColumns{"value",   "scenario", "error",
                                                            "reading", "bytes",    "text"};
-/// Whose values a computation may make infinite, or that stand for an open end.
+/// Columns that a computation can make infinite, or in which infinity stands for an open end.
 constexpr std::array<std::string_view, 8> kUnboundedColumns{
     "lower", "upper", "sum", "mean", "sd", "min", "max", "mean_over_time"};
 
@@ -50,7 +50,7 @@ bool is_in(const auto& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Adds what stands in quotes: 'queue full'.
+/// Adds the words that the meaning has in quotes, such as 'queue full'.
 void add_quoted(std::vector<std::string_view>& words, std::string_view meaning) {
   for (std::size_t open = 0; (open = meaning.find('\'', open)) != std::string_view::npos;) {
     const std::size_t close = meaning.find('\'', open + 1);
@@ -66,7 +66,7 @@ std::vector<std::string_view> verdict_words() {
   words.reserve(hal::kVerdictCount);
   for (int i = 0; i < hal::kVerdictCount; ++i)
     words.push_back(hal::name(static_cast<hal::Verdict>(i)));
-  // "under way", "transmitted", ...: what only some tables know.
+  // "under way", "transmitted", ...: verdicts that only some tables have.
   for (const Table& table : tables()) {
     for (const Column& column : table.columns) {
       if (column.name == "verdict") add_quoted(words, column.meaning);
@@ -97,7 +97,7 @@ std::span<const std::string_view> words_of(std::string_view table, std::string_v
   return {};
 }
 
-/// "agent; 0: unknown"
+/// Whether the meaning defines 0, as in "agent; 0: unknown".
 bool meaning_of_zero(std::string_view meaning) {
   return meaning.starts_with("0: ") || meaning.find(" 0: ") != std::string_view::npos;
 }
@@ -136,7 +136,7 @@ void set_bounds(CellRule& rule) {
     rule.highest = kLongestSeconds;
     rule.lowest = 0;
   } else if (unit == "dB" || unit == "dBm" || is_in(kUnboundedColumns, rule.column->name)) {
-    rule.highest = kInfinite;  // without noise or power
+    rule.highest = kInfinite;  // e.g. without noise or power
     rule.lowest = -kInfinite;
   }
 }
@@ -161,7 +161,7 @@ std::string broken_text_sql(const CellRule& rule) {
   return sql + fmt::format(" OR {} NOT IN ({})", name, quoted_list(rule.words));
 }
 
-/// Of a value that is no null and no blob: further cases.
+/// The WHEN branches for values that are neither null nor a blob.
 std::string broken_value_sql(const CellRule& rule) {
   const std::string_view name = rule.column->name;
   switch (rule.kind) {
@@ -215,7 +215,8 @@ bool may_be_summed(const CellRule& rule) {
 
 std::string broken_sql(const CellRule& rule) {
   const std::string_view name = rule.column->name;
-  // typeof(): the planner takes NOT NULL and types for granted, and answers IS NULL without a look.
+  // typeof(): the query planner trusts NOT NULL and declared types, and answers IS NULL without
+  // reading the cell.
   return fmt::format("CASE typeof({}) WHEN 'null' THEN {} WHEN 'blob' THEN 1 {} END", name,
                      rule.may_be_null ? 0 : 1, broken_value_sql(rule));
 }

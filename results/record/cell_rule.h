@@ -11,11 +11,11 @@
 
 namespace results::record {
 
-/// A run ends before this [ns], about 32 years: the longest duration that a scenario can have.
+/// Upper limit of times [ns], about 32 years: the longest duration that a scenario can have.
 inline constexpr std::int64_t kLatestTime = 1'000'000'000'000'000'000;
 
-/// What a cell of a column may hold: what a run can have written there, with room. A file that
-/// somebody else wrote may have any value of any type in any cell (sqlite.org/flextypegood.html).
+/// Values that a column allows: all that a run can write there, and some more. A file that somebody
+/// else wrote can have any value of any type in any cell (sqlite.org/flextypegood.html).
 struct CellRule {
   enum class Kind : std::uint8_t { kInteger, kReal, kText, kAny };
 
@@ -23,31 +23,31 @@ struct CellRule {
   const Column* column = nullptr;
   Kind kind = Kind::kAny;
   bool may_be_null = true;
-  bool is_agent = false;             ///< An agent of the table agents, or everyone.
-  bool may_be_zero = false;          ///< Of an agent: 0 stands for none.
-  bool is_time = false;              ///< Not after the end of the run: `most` can become less.
-  std::int64_t least = 0, most = 0;  ///< Of an integer.
+  bool is_agent = false;             ///< The value must be in the table agents, or a group address.
+  bool may_be_zero = false;          ///< For an agent: 0 stands for none.
+  bool is_time = false;              ///< Not after the end of the run, which lowers `most`.
+  std::int64_t least = 0, most = 0;  ///< Limits of an integer.
   double lowest = -std::numeric_limits<double>::max();
-  double highest = std::numeric_limits<double>::max();  ///< Of a real number.
-  std::size_t longest = 0;                              ///< Bytes of a text.
-  std::span<const std::string_view> words{};            ///< Of a text; empty: any.
+  double highest = std::numeric_limits<double>::max();  ///< Limits of a real number.
+  std::size_t longest = 0;                              ///< Maximum length of a text [byte].
+  std::span<const std::string_view> words{};            ///< Allowed texts; empty: any.
 };
 
-/// By the column's type, name, unit and meaning: an agent is 0 only where the meaning says
-/// "0: unknown", a verdict is one that a frame can have or one that the meaning of any column of
-/// that name has in quotes.
+/// Derives the rule from the column's type, name, unit and meaning. An agent may be 0 only where
+/// the meaning says so ("0: unknown"). A verdict must be one that a frame can have, or one that the
+/// meaning of a column `verdict` of any table has in quotes.
 CellRule rule_of(const Table& table, const Column& column);
 
-/// Whether both allow the same but for nulls, and for 0 of agents.
+/// Whether two rules are equal except for nulls and for agent 0.
 bool is_alike(const CellRule& one, const CellRule& other);
 
-/// Whether a sum of such cells is as one of them may be: not of flags, times or addresses.
+/// Whether a sum of such cells obeys the same rule: not for flags, times and addresses.
 bool may_be_summed(const CellRule& rule);
 
-/// "true in SQL for a cell that may not be": to find its row.
+/// SQL condition that is true for a cell that breaks the rule; used to find its row.
 std::string broken_sql(const CellRule& rule);
 
-/// "not a whole number from 0 to 65535": of a cell that may not be.
+/// For messages about a cell that breaks the rule: "not a whole number from 0 to 65535".
 std::string expected(const CellRule& rule);
 
 }  // namespace results::record

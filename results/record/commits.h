@@ -20,7 +20,7 @@ class Commits final : public sim::agents::Observer {
   static constexpr hal::Duration kCommitPeriod = std::chrono::seconds{10};
   static constexpr int kCommitRows = 2000;
 
-  /// @param database  in a transaction whenever something is written or committed.
+  /// @param database  must be in a transaction whenever something is written or committed.
   explicit Commits(Database& database) : database_(database) {}
 
   void add(std::unique_ptr<TopicWriter> writer) { writers_.push_back(std::move(writer)); }
@@ -30,7 +30,7 @@ class Commits final : public sim::agents::Observer {
   void on_rows(hal::Time at, int rows);
   /// Called when something was counted that totals include.
   void see(hal::Time at) { now_ = std::max(now_, at); }
-  hal::Time now() const { return now_; }  ///< Of the latest row, or of the end.
+  hal::Time now() const { return now_; }  ///< Time of the latest row, or of the end of the run.
 
   void write_totals();
   /// Whether the totals have few rows compared with what they count.

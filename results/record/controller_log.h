@@ -13,7 +13,7 @@
 
 namespace results::record {
 
-/// The tables states, recorded and recorded_units: what controllers say of themselves.
+/// Writes the tables states, recorded and recorded_units: what controllers report about themselves.
 class ControllerLog final : public TopicWriter {
  public:
   ControllerLog(Database& database, Commits& commits);
@@ -21,7 +21,7 @@ class ControllerLog final : public TopicWriter {
   static std::vector<Table> state_tables();
   static std::vector<Table> value_tables();
 
-  /// @param units  by controller and name.
+  /// @param units  by controller and name of the value.
   void add_units(const std::map<std::pair<std::string, std::string>, std::string>& units);
 
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;

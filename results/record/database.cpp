@@ -23,9 +23,9 @@ bool has_content(const std::string& file) {
   return !none && size > 0;
 }
 
-/// Whether a journal belongs to a transaction over several files, which ours never do: to roll it
-/// back, SQLite reads the file that it names as a list, and removes it
-/// (sqlite.org/atomiccommit.html).
+/// Whether a journal belongs to a transaction over several files, which ours never do. To roll such
+/// a journal back, SQLite would read the file that it names as a list of journals, and delete that
+/// file (sqlite.org/atomiccommit.html).
 bool names_another_file(const std::string& journal) {
   constexpr std::string_view kMagic = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7";
   std::ifstream file(journal, std::ios::binary);
@@ -43,10 +43,11 @@ Database::Database(const std::filesystem::path& file, Mode mode, WhileBusy while
       std::filesystem::remove(name_ + part);
     }
   }
-  // Without a lock of its own: one thread at a time uses it.
+  // Without SQLite's own mutex: only one thread at a time uses the connection.
   constexpr int kWrite = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
   if (mode == Mode::kRead) {
-    // What a writer that was killed or is at work has left beside it may have to be worked in.
+    // A journal or write-ahead log of a writer that was killed, or is running, has to be processed,
+    // which needs write access.
     const std::string journal = name_ + "-journal";
     if (has_content(journal) && names_another_file(journal)) {
       throw std::runtime_error(
@@ -77,7 +78,7 @@ void Database::set_waiting() {
     sqlite3_busy_timeout(handle_, kShortWaitMs);
     return;
   }
-  // A member of an object that is not moved: it outlives the handle.
+  // The address of a member stays valid as long as the handle: this object is never moved.
   const auto ask = [](void* while_busy, int tries) -> int {
     if (!(*static_cast<WhileBusy*>(while_busy))(tries * kBetweenTriesMs / 1e3)) return 0;
     sqlite3_sleep(kBetweenTriesMs);
@@ -104,7 +105,7 @@ void Database::execute(const std::string& sql) {
 }
 
 void Database::roll_back() {
-  // Errors like a full disk may have done it already.
+  // An error such as a full disk may have rolled back already.
   if (sqlite3_get_autocommit(handle_) == 0) execute("ROLLBACK");
 }
 
@@ -128,7 +129,7 @@ bool Statement::next() {
   const int result = sqlite3_step(handle_);
   if (result == SQLITE_ROW) return true;
   if (result != SQLITE_DONE) {
-    // The reason outlives the reset: SQLite gives it again.
+    // SQLite still knows the reason after the reset.
     sqlite3_reset(handle_);
     if (reading_) database_.check_->fail(*reading_);
     database_.fail("step");
@@ -148,7 +149,7 @@ double Statement::real(int column) const {
 }
 
 bool Statement::is_null(int column) const {
-  if (sqlite3_column_type(handle_, column) != SQLITE_NULL) return false;  // its reader checks it
+  if (sqlite3_column_type(handle_, column) != SQLITE_NULL) return false;  // read, then checked
   if (reading_) database_.check_->check(handle_, column, Kind::kAny, *reading_);
   return true;
 }

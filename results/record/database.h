@@ -18,19 +18,19 @@ class CellCheck;
 struct ColumnsRead;
 struct Table;
 
-/// One SQLite file. Everything throws std::runtime_error with the file and SQLite's reason. One
-/// thread at a time, its statements included.
+/// One SQLite file. Every member throws std::runtime_error with the file and SQLite's reason. One
+/// thread at a time, including its statements.
 class Database {
  public:
   enum class Mode : std::uint8_t { kCreate, kRead, kUpdate };
 
-  /// Asked every tenth of a second while other processes have the file, with how long that has been
-  /// [s]: whether to wait on. It must not throw.
+  /// Called every tenth of a second while other processes lock the file. @param waited_s  time
+  /// waited so far [s]. @return whether to go on waiting. It must not throw.
   using WhileBusy = std::function<bool(double waited_s)>;
 
-  /// kCreate replaces the file; kRead needs it; kUpdate keeps what is in it and makes it if it is
-  /// not there.
-  /// @param while_busy  none: it is waited for 5 s.
+  /// kCreate replaces the file; kRead requires it; kUpdate keeps its content and creates it if it
+  /// does not exist.
+  /// @param while_busy  none: waits for up to 5 s for a locked file.
   Database(const std::filesystem::path& file, Mode mode, WhileBusy while_busy = {});
   ~Database();
   Database(const Database&) = delete;
@@ -38,18 +38,19 @@ class Database {
 
   void execute(const std::string& sql);
 
-  /// For files that others may have written: it must have these tables as create_tables() makes
-  /// them, and from now on every cell that a statement gives is one that its column may hold; what
-  /// is not is refused with file, table, row and column. Statements can only read.
+  /// For files that others may have written: requires these tables as create_tables() makes them.
+  /// From now on statements can only read, and each cell that they return is checked against its
+  /// column; errors name file, table, row and column.
   /// @param tables  outlive this object.
   /// @throws std::runtime_error  the file has other tables.
   void read_only_sound(const std::vector<Table>& tables);
 
-  /// What its cells are measured by from now on: agents are these, no time [ns] is after the end.
+  /// From now on cells are checked against this run: agents must be among these, and no time may be
+  /// after the end [ns].
   /// @pre read_only_sound()
   void know(const std::vector<std::int64_t>& agents, std::int64_t end);
 
-  /// Ends a transaction under way and takes its changes back; nothing if there is none.
+  /// Rolls back the transaction in progress, if there is one.
   void roll_back();
 
  private:
@@ -61,7 +62,7 @@ class Database {
   std::string name_;
   WhileBusy while_busy_;
   sqlite3* handle_ = nullptr;
-  std::unique_ptr<CellCheck> check_;  ///< Null: whatever is there is taken.
+  std::unique_ptr<CellCheck> check_;  ///< Null: cells are not checked.
 };
 
 /// One prepared statement.
@@ -91,20 +92,21 @@ class Statement {
     (bind(++place, values), ...);
   }
 
-  /// To the next row; false after the last one, and then it can be used again.
+  /// Advances to the next row. @return false after the last one; the statement can then be run
+  /// again.
   bool next();
 
-  /// Columns of the current row, from 0. Null reads as 0 or "".
-  /// @throws std::runtime_error  of a sound database: a value that may not be there
+  /// Value of a column of the current row, counted from 0. Null reads as 0 or "".
+  /// @throws std::runtime_error  after read_only_sound(): the column does not allow the value.
   std::int64_t integer(int column) const;
   double real(int column) const;
   std::string text(int column) const;
   bool is_null(int column) const;
   bool is_real(int column) const;
 
-  /// Of a value that its reader cannot take: that is out of order, or there twice.
+  /// Refuses a value that its reader cannot accept, because it is out of order or a duplicate.
   /// @param why  "before that of an earlier row"
-  /// @throws std::runtime_error  with file, table and, if the statement gives its rowid, the row
+  /// @throws std::runtime_error  with file, table and, if the statement selects rowid, the row.
   [[noreturn]] void refuse(int column, std::string_view why) const;
 
  private:
@@ -124,7 +126,7 @@ class Statement {
 
   Database& database_;
   sqlite3_stmt* handle_ = nullptr;
-  std::unique_ptr<ColumnsRead> reading_;  ///< Null: nothing is checked.
+  std::unique_ptr<ColumnsRead> reading_;  ///< Null: cells are not checked.
 };
 
 }  // namespace results::record

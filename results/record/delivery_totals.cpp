@@ -37,7 +37,7 @@ DeliveryTotals::Total& DeliveryTotals::total_of(const Key& key) {
   return totals_[place - 1];
 }
 
-/// Of the key, or the free one where it belongs. @pre some place is free.
+/// The place of the key, or the free place for it. @pre at least one place is free.
 std::uint32_t* DeliveryTotals::place_of(const Key& key) {
   // Fibonacci hashing (D. E. Knuth, "The Art of Computer Programming", vol. 3, 6.4).
   const std::uint64_t word = (std::uint64_t{key.kind} << 32U) |

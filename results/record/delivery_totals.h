@@ -9,8 +9,8 @@
 
 namespace results::record {
 
-/// Deliveries of the messages of one sender: how many, and how long they took, by receiver, kind of
-/// message, and transmissions on the way.
+/// Totals of the deliveries of one sender's messages: their number and delay, by receiver, kind of
+/// message, and number of transmissions on the way.
 class DeliveryTotals {
  public:
   struct Key {
@@ -23,17 +23,18 @@ class DeliveryTotals {
     Key key;
     bool changed = false;
     std::uint64_t count = 0;
-    std::uint64_t bytes = 0;  ///< Of the payloads.
-    std::uint64_t late = 0;   ///< So many of them without a delay.
-    hal::Duration sum{};      ///< Of the delays.
+    std::uint64_t bytes = 0;  ///< Total size of the payloads.
+    std::uint64_t late = 0;   ///< Deliveries without a known delay.
+    hal::Duration sum{};      ///< Sum of the delays.
     hal::Duration least = hal::Duration::max();
     hal::Duration greatest{};
   };
 
-  /// @return whether it is the first of its key since its total was written.
+  /// @return whether this is the first change of its total since that was written.
   bool add(const Key& key, std::uint64_t bytes, std::optional<hal::Duration> delay);
 
-  /// Those that changed since the last call, in the order in which their keys came.
+  /// Calls write(total) for each total that changed since the last call, in order of first
+  /// occurrence.
   template <class Write>
   void write_changes(Write write) {
     for (Total& total : totals_) {
@@ -48,9 +49,10 @@ class DeliveryTotals {
   void grow();
 
   std::vector<Total> totals_;
-  std::size_t next_ = 0;  ///< Behind the one found last: most senders reach the same, in order.
-  std::vector<std::uint32_t>
-      places_;  ///< Open addressing, linear probing; 0: free, else 1 + place.
+  /// Index after the one found last: most senders reach the same receivers in the same order.
+  std::size_t next_ = 0;
+  /// Open addressing, linear probing; 0: free, else 1 + index in totals_.
+  std::vector<std::uint32_t> places_;
 };
 
 }  // namespace results::record

@@ -9,7 +9,8 @@
 
 namespace results::record {
 
-/// The tables events, turns and arrivals: what the scenario or somebody outside does to the run.
+/// Writes the tables events, turns and arrivals: interventions in the run by the scenario or from
+/// outside.
 class EventLog final : public TopicWriter {
  public:
   EventLog(Database& database, Commits& commits);

@@ -7,10 +7,10 @@
 namespace results::record {
 namespace {
 
-/// What is counted of a reception, as one number.
+/// The kind of a reception as one number: verdict (4 bits), addressed (1 bit), frame class.
 constexpr int kAddressedBit = 4;
 constexpr int kClassShift = 5;
-/// In place of a verdict: the payload went up.
+/// Stands in place of a verdict: the payload was delivered to the upper layer.
 constexpr std::uint8_t kWentUp = (1 << kAddressedBit) - 1;
 static_assert(hal::kVerdictCount <= kWentUp);
 static_assert(sim::radio::kFrameClasses << kClassShift <= 1 << PairCounts::kKindBits);
@@ -27,15 +27,15 @@ std::string_view verdict_in(std::uint8_t kind) {
   return hal::name(static_cast<hal::Verdict>(kind % (1 << kAddressedBit)));
 }
 
-/// How long after its end at the transmitter a frame may end at a receiver: what radio waves need
-/// from one end of any field to the other (300 km).
+/// Longest time after its end at the transmitter at which a frame can end at a receiver: the
+/// propagation delay across any field (300 km).
 hal::Duration tail_of(const sim::radio::RadioConfig& config) {
   const sim::radio::WavesConfig* const waves = sim::radio::waves_of(config);
   const bool is_delayed = waves != nullptr && waves->propagation.propagation_delay;
   return is_delayed ? std::chrono::milliseconds{1} : hal::Duration{};
 }
 
-/// Of the two views of what became of all that was sent.
+/// Meaning of the verdict in both views of what became of all frames sent.
 constexpr std::string_view kDerived =
     "how it ended: as in receptions; 'below sensitivity' also if the radio did not notice it, be "
     "it "
@@ -212,7 +212,7 @@ std::vector<Table> FrameCounts::sum_views() {
         {"count", "INTEGER", "", "pairs of a frame and a radio"}},
        "class, addressed, verdict",
        "WITH others AS (SELECT COUNT(*) - 1 AS radios FROM agents),"
-       // A CTS to oneself is addressed to no other radio.
+       // A CTS-to-self is addressed to no other radio.
        " possible AS (SELECT class, 1 AS addressed,"
        " SUM(count * CASE WHEN peer >= 65534 THEN radios ELSE peer <> agent END) AS count"
        " FROM frames_sent, others GROUP BY 1"

@@ -13,8 +13,8 @@
 
 namespace results::record {
 
-/// The tables frames_sent, receptions, faint, packets and requests, those of FramesInTheAir and the
-/// views of them all.
+/// Writes the tables frames_sent, receptions, faint, packets and requests, those of FramesInTheAir,
+/// and the views of all of them.
 class FrameCounts final : public TopicWriter {
  public:
   FrameCounts(Database& database, const sim::radio::RadioConfig& radio, Commits& commits);
@@ -41,7 +41,8 @@ class FrameCounts final : public TopicWriter {
  private:
   Statement put_sent_, put_reception_, put_faint_, put_packet_, put_request_;
   PairCounts sent_;
-  PairCounts receptions_;  ///< And packets: where the one is, the other is near.
+  /// Also the packets: both have the same pair of agents, so they are close in memory.
+  PairCounts receptions_;
   PairCounts requests_;
   std::vector<std::uint64_t> faint_;  ///< By address of the transmitter.
   FramesInTheAir in_the_air_;

@@ -15,17 +15,17 @@
 
 namespace results::record {
 
-/// The tables frames and frame_ends.
+/// Writes the tables frames and frame_ends.
 ///
-/// With Detail::kSample a frame is listed while the simulated second in which it begins has fewer
-/// than kRowsOfSecond rows, and then with all its ends: what is listed is listed whole, from the
-/// begin of each second on, and a quiet run has every frame.
+/// With Detail::kSample a frame is listed if fewer than kRowsOfSecond rows have been written for
+/// the simulated second in which it begins; all its ends are then listed as well. So each second is
+/// complete from its beginning up to some frame, and a quiet run has every frame.
 class FrameLog final : public TopicWriter {
  public:
   static constexpr std::uint64_t kRowsOfSecond = 5000;
 
   /// @param detail  kSample or kAll
-  /// @param protocols  outlives it, as all that writers are given.
+  /// @param protocols  outlives this object, as do all other references.
   FrameLog(Database& database, sim::scenario::Detail detail, const Protocols& protocols,
            Commits& commits);
 
@@ -44,9 +44,9 @@ class FrameLog final : public TopicWriter {
   const Protocols& protocols_;
   Commits& commits_;
   std::int64_t second_ = -1;
-  std::uint64_t rows_ = 0;  ///< Of that second.
-  /// By transmitter its latest frame, if it was left out: its ends are, too. It can have one in the
-  /// air, but a later one may begin while radios far away still hear the end of this.
+  std::uint64_t rows_ = 0;  ///< In that second.
+  /// Frames of that second that are not listed; their ends are not listed either. Emptied when a
+  /// frame begins in a later second.
   std::set<std::uint64_t> left_out_;
   double sinr_db_ = std::numeric_limits<double>::quiet_NaN();
 };

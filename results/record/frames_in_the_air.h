@@ -12,12 +12,12 @@
 
 namespace results::record {
 
-/// The tables in_the_air and in_the_air_ended: frames of which it cannot be said yet how they end
-/// at every radio. Each station has one at most.
+/// Writes the tables in_the_air and in_the_air_ended: frames whose ends are not yet known at all
+/// radios. Each station has at most one.
 class FramesInTheAir {
  public:
-  /// @param tail  how long after its end at the transmitter a frame may still come to an end at
-  ///   others.
+  /// @param tail  maximum propagation delay: how long after its end at the transmitter a frame can
+  /// end at receivers.
   FramesInTheAir(Database& database, hal::Duration tail);
 
   static std::vector<Table> tables();
@@ -30,8 +30,8 @@ class FramesInTheAir {
     if (last.frame == frame.id) last.ended_at.push_back(receiver);
   }
 
-  /// Replaces what is in the tables by what is in the air at `now`. A frame that ends now is, but
-  /// for the radios at which it has ended.
+  /// Replaces the content of the tables by the frames that are in the air at `now`. A frame that
+  /// ends at `now` still counts; the radios at which it has ended are listed.
   void write(hal::Time now);
 
  private:

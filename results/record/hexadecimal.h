@@ -9,10 +9,10 @@
 
 namespace results::record {
 
-/// Two lower-case digits per byte.
+/// Writes two lower-case digits per byte.
 std::string to_hexadecimal(std::span<const std::uint8_t> bytes);
 
-/// @return none: an odd number of characters, or one that is no digit.
+/// @return none if the number of characters is odd or one of them is not a digit.
 std::optional<std::vector<std::uint8_t>> from_hexadecimal(std::string_view text);
 
 }  // namespace results::record

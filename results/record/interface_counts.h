@@ -18,15 +18,15 @@ namespace results::record {
 /// A program that ran inside an agent.
 struct ProgramRow {
   hal::AgentId agent;
-  std::string agent_name{};  ///< For people; not in the table.
+  std::string agent_name{};  ///< For messages; not in the table.
   std::string name;
   hal::Time started{};
   std::optional<hal::Time> ended{};  ///< None: it ended with the run.
-  int status = 0;                    ///< 0..255; 128 + signal if a signal ended it.
+  int status = 0;                    ///< 0..255; 128 + signal number if a signal ended it.
 };
 
-/// The tables programs, and interfaces: frames between them and the air, by agent and what became
-/// of them.
+/// Writes the tables programs and interfaces; the latter counts the frames between programs and the
+/// air, by agent and by outcome.
 class InterfaceCounts final : public TopicWriter {
  public:
   explicit InterfaceCounts(Database& database);
@@ -44,7 +44,7 @@ class InterfaceCounts final : public TopicWriter {
     add(agent, kFirstRefusal + static_cast<std::size_t>(refusal), bytes);
   }
 
-  /// Writes all rows anew.
+  /// Rewrites all rows, if a count changed.
   void write(hal::Time now) override;
 
  private:

@@ -1,4 +1,4 @@
-// What is in run.sqlite of the ledger of the air.
+// The tables of run.sqlite that hold the ledger of the air.
 #include "results/record/ledger_tables.h"
 
 namespace results::record {

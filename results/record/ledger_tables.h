@@ -6,7 +6,7 @@
 
 namespace results::record {
 
-/// Of the tables of schema.h those of AirLog, and the views of them.
+/// The tables of AirLog and their views, for schema.h.
 std::vector<Table> ledger_tables();
 
 }  // namespace results::record

@@ -16,16 +16,14 @@
 
 namespace results::record {
 
-/// The tables readings and queues: what is looked at while agents move and talk, a row for each
-/// change.
+/// Writes the tables readings and queues: sensor readings and queue lengths, a row for each change.
 class LookLog final : public TopicWriter {
  public:
   struct Settings {
-    hal::Duration period{};  ///< Between two readings of a channel, > 0.
-    sim::scenario::Detail readings =
-        sim::scenario::Detail::kNone;  ///< kSample: ranges and bumpers of at most kFewValues
-                                       ///< values.
-    ///< They say the same for most of the time; voltages and odometry never do.
+    hal::Duration period{};  ///< Minimum time between two rows of a channel, > 0.
+    /// kSample: only range sensors and bumpers with at most kFewValues values. Their values change
+    /// seldom; voltages and odometry change all the time.
+    sim::scenario::Detail readings = sim::scenario::Detail::kNone;
     bool queues = false;
   };
   static constexpr std::size_t kFewValues = 32;
@@ -34,9 +32,9 @@ class LookLog final : public TopicWriter {
 
   static std::vector<Table> tables();
 
-  /// Until then queues are not seen.
+  /// Queues are recorded only after this call.
   void look_at(const sim::agents::Simulation& simulation) override;
-  /// @param queue  frames that wait at an agent's radio.
+  /// @param queue  returns the number of frames that wait at an agent's radio.
   void look_at(std::function<std::uint64_t(hal::AgentId)> queue) { queue_ = std::move(queue); }
 
   bool observes_readings() const override {
@@ -57,7 +55,7 @@ class LookLog final : public TopicWriter {
   };
   struct Agent {
     std::uint64_t queue = 0;
-    std::vector<Sensed> channels;  ///< By id.
+    std::vector<Sensed> channels;  ///< By id of the channel.
   };
   Agent& agent(hal::AgentId id);
   void look_at_queue(hal::Time at, hal::AgentId id);

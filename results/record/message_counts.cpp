@@ -19,10 +19,10 @@ MessageCounts::MessageCounts(Database& database, const Protocols& protocols)
 
 void MessageCounts::on_message_sent(hal::Time at, const hal::Message& message) {
   Sender& from = sender(message.source);
-  // The oldest are looked at now and then only: they have long left the cache.
+  // Old messages are removed only from time to time: they are no longer in the cache.
   if (message.id % kForgetEvery == 0) forget(from, at);
   if (from.sent.empty()) from.first = message.id;
-  // Numbers that a sender left out belong to no message.
+  // Numbers that the sender skipped belong to no message.
   while (from.first + from.sent.size() < message.id) from.sent.push_back({.at = at});
   const Sent sent{.at = at,
                   .kind = kind_of(from, message),
@@ -81,7 +81,7 @@ MessageCounts::Sender& MessageCounts::sender(hal::AgentId agent) {
   return senders_[agent.value];
 }
 
-/// Null: it was settled long ago.
+/// Null: it was settled and removed.
 MessageCounts::Sent* MessageCounts::find(Sender& sender, hal::MessageId id) {
   if (id >= sender.first) {
     const std::size_t place = id - sender.first;
@@ -121,7 +121,7 @@ void MessageCounts::count(Kind& kind, Counts& counts, std::uint8_t key, const Se
   count.bytes += sent.bytes;
   count.changed = true;
   ++counted_;
-  // Of a kind, what it had changes into what it has: two rows at most are new, once each.
+  // An estimate of the rows of a changed kind: its old verdict, its new one, and a fate.
   if (!std::exchange(kind.changed, true)) changed_ += 3;
 }
 

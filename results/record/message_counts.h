@@ -15,12 +15,13 @@
 
 namespace results::record {
 
-/// The tables counted_ends, counted_fates and counted_deliveries: of messages that are not listed.
+/// Writes the tables counted_ends, counted_fates and counted_deliveries, for runs whose messages
+/// are not listed.
 ///
-/// Of each message its class, its time and how it ended so far are kept, 16 bytes: until both its
-/// verdict and its fate are there and another kKept of simulated time is over, and somewhat longer:
-/// they are looked at now and then. What is delivered later still is counted, without its delay,
-/// and changes no verdict.
+/// Of each message its class, its time and its outcome so far are kept (16 bytes) until its verdict
+/// and its fate are known and kKept of simulated time have passed; somewhat longer in fact, because
+/// old messages are removed only from time to time. A later delivery is counted, but without a
+/// delay, and does not change the verdict.
 class MessageCounts final : public MessageWriter {
  public:
   static constexpr hal::Duration kKept = std::chrono::seconds{10};
@@ -44,22 +45,22 @@ class MessageCounts final : public MessageWriter {
 
   struct Sent {
     hal::Time at{};
-    std::uint32_t kind = 0;   ///< Place in Sender::kinds.
-    std::uint16_t bytes = 0;  ///< Of the payload.
+    std::uint32_t kind = 0;   ///< Index in Sender::kinds.
+    std::uint16_t bytes = 0;  ///< Size of the payload.
     std::uint8_t verdict = kNothingYet;
     std::uint8_t fate = kNothingYet;
 
     bool is_settled() const { return verdict != kNothingYet && fate != kNothingYet; }
   };
-  /// Of one verdict or fate.
+  /// Messages with one verdict or fate.
   struct Count {
     std::uint64_t messages = 0;
     std::uint64_t bytes = 0;
     std::uint8_t key = 0;
     bool changed = false;
   };
-  using Counts = std::vector<Count>;  ///< Few; in the order in which they came.
-  /// Messages of one sender with one destination and topic.
+  using Counts = std::vector<Count>;  ///< Few; in order of first occurrence.
+  /// Messages of one sender that have the same destination and topic.
   struct Kind {
     std::uint32_t topic = 0;
     hal::AgentId destination{};
@@ -68,11 +69,11 @@ class MessageCounts final : public MessageWriter {
   };
   struct Sender {
     std::vector<Kind> kinds;
-    std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> places;  ///< Of the kinds.
+    std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> places;  ///< Index in kinds.
     std::uint32_t last_kind = 0;
-    std::deque<Sent> sent;                     ///< One after the other.
+    std::deque<Sent> sent;                     ///< Consecutive numbers, from `first`.
     hal::MessageId first = 1;                  ///< Number of sent.front().
-    std::map<hal::MessageId, Sent> unsettled;  ///< Older ones.
+    std::map<hal::MessageId, Sent> unsettled;  ///< Older than sent.front().
     DeliveryTotals deliveries;
   };
 
@@ -89,8 +90,8 @@ class MessageCounts final : public MessageWriter {
   std::vector<std::string> topics_;
   std::map<std::string, std::uint32_t, std::less<>> topic_numbers_;
   std::vector<Sender> senders_;  ///< By address.
-  std::uint64_t counted_ = 0;    ///< Since the last write(), and
-  std::uint64_t changed_ = 0;    ///< no fewer rows than it would write.
+  std::uint64_t counted_ = 0;    ///< Additions to counts since the last write().
+  std::uint64_t changed_ = 0;    ///< Estimate of the rows that write() would write.
 };
 
 }  // namespace results::record

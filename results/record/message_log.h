@@ -8,7 +8,7 @@
 
 namespace results::record {
 
-/// The tables messages and deliveries.
+/// Writes the tables messages and deliveries.
 class MessageLog final : public MessageWriter {
  public:
   MessageLog(Database& database, const Protocols& protocols, Commits& commits);

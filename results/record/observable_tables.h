@@ -6,7 +6,7 @@
 
 namespace results::record {
 
-/// The tables of what `record: {observables: ...}` asks for.
+/// The tables for what `record: {observables: ...}` asks for.
 std::vector<Table> observable_tables();
 
 }  // namespace results::record

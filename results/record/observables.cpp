@@ -71,7 +71,7 @@ void Observables::add(std::size_t request, const sim::agents::AgentConfig& agent
   sort_in(watch);
 }
 
-/// Into where it is found when something happens.
+/// Adds a watch to the list by which it is found when something happens.
 void Observables::sort_in(std::size_t watch) {
   const Watch& of = *watches_[watch];
   if (const auto* reading = std::get_if<sim::scenario::ReadingValue>(&of.source)) {
@@ -110,7 +110,7 @@ std::optional<double> Observables::current(const Watch& watch) const {
   return watch.held;
 }
 
-/// The same; of a rate, since it was asked for last.
+/// The current value; for a rate, the mean rate since the last call.
 std::optional<double> Observables::value(Watch& watch, hal::Time at) {
   const std::optional<double> now = current(watch);
   const auto* quantity = std::get_if<sim::scenario::QuantityValue>(&watch.source);
@@ -229,13 +229,13 @@ void Observables::on_record(hal::Time at, hal::AgentId agent, std::string_view n
   }
 }
 
-/// A controller's values are known when it records them first.
+/// A value that a controller records becomes known when it is recorded for the first time.
 const Observables::Watches& Observables::recorded(hal::AgentId agent, std::string_view name) {
   auto& of_agent = recorded_[agent];
   const auto known = of_agent.find(name);
   if (known != of_agent.end()) return known->second;
   const std::string value(name);
-  of_agent[value];  // also of one that nobody asked for
+  of_agent[value];  // also if nobody asked for it
   const auto config =
       std::ranges::find(surroundings_.config.agents, agent, &sim::agents::AgentConfig::id);
   for (std::size_t i = 0; i < requests_.size(); ++i) {

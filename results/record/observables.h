@@ -23,10 +23,11 @@
 
 namespace results::record {
 
-/// The observables of a run: looks at them, and keeps what was asked for. Every `every` from time 0
-/// on, after all that happens at that instant; or on change: what only happens (a delay, what a
-/// controller records) each time, all else at the agent's control instants, if it is not as before.
-/// Readings are those of the agent's last control instant.
+/// Samples the observables that were asked for. A request has either a period `every`, and is
+/// sampled from time 0 on after all events of that instant, or it is on change. On change, an event
+/// (a delay, a value that a controller records) is kept each time it happens; any other observable
+/// is compared at the agent's control instants and kept if its value has changed. Readings are
+/// those of the agent's latest control instant.
 class Observables final : public TopicWriter, public sim::agents::Sampler {
  public:
   struct Surroundings {
@@ -34,13 +35,13 @@ class Observables final : public TopicWriter, public sim::agents::Sampler {
     const sim::agents::SimulationConfig& config;
     Database& database;
     Commits& commits;
-    /// Unit of what an agent's controller records under a name; "": not known.
+    /// Unit of a value that an agent's controller records, by agent and name; "": not known.
     std::function<std::string(hal::AgentId, const std::string&)> unit_of;
   };
 
   Observables(std::vector<sim::scenario::ObservableRequest> requests, Surroundings surroundings);
 
-  /// Writes what is known at the end of the run only.
+  /// Writes what is known only at the end of the run.
   void finish(hal::Time end) override;
 
   hal::Time due() const override;
@@ -74,18 +75,19 @@ class Observables final : public TopicWriter, public sim::agents::Sampler {
                  sim::scenario::RecordedValue>
         source;
     ObservedValue kept;
-    std::optional<double> held{};  ///< Of a reading or a recorded value: the last one.
-    std::optional<double> seen{};  ///< That was looked at last.
-    std::optional<std::pair<hal::Time, double>> rate_from{};  ///< Of a rate.
+    std::optional<double> held{};  ///< Latest reading or recorded value.
+    std::optional<double> seen{};  ///< The value kept last.
+    /// For a rate: time and value at the last sample.
+    std::optional<std::pair<hal::Time, double>> rate_from{};
   };
-  /// Those of one request that are looked at periodically. It goes on also while there are none: a
-  /// controller may record a name later.
+  /// The observables of one request that are sampled periodically. The period also runs while there
+  /// are none: a controller may record a new name later.
   struct Period {
     hal::Duration every{};
     hal::Time due{};
     std::vector<std::size_t> watches{};
   };
-  using Watches = std::vector<std::size_t>;  ///< Places in watches_.
+  using Watches = std::vector<std::size_t>;  ///< Indices in watches_.
 
   void add_matching(std::size_t request, const sim::agents::AgentConfig& agent,
                     const std::vector<sim::scenario::Observable>& of_agent);
@@ -103,9 +105,9 @@ class Observables final : public TopicWriter, public sim::agents::Sampler {
   Surroundings surroundings_;
   ObservableTables tables_;
   std::vector<std::unique_ptr<Watch>> watches_;
-  std::vector<Period> periods_;               ///< By request; one on change is never due.
-  std::unique_ptr<Tallies> tallies_;          ///< Null: nobody asked.
-  std::map<hal::AgentId, Watches> changing_;  ///< Looked at at control instants.
+  std::vector<Period> periods_;               ///< By request; never due if it is on change.
+  std::unique_ptr<Tallies> tallies_;          ///< Null: no request needs them.
+  std::map<hal::AgentId, Watches> changing_;  ///< Compared at control instants.
   std::map<std::pair<hal::AgentId, std::string>, Watches> readings_;  ///< By channel.
   std::map<std::pair<hal::AgentId, sim::scenario::Tally>, Watches> events_;
   std::map<hal::AgentId, std::map<std::string, Watches, std::less<>>> recorded_;

@@ -14,31 +14,31 @@
 
 namespace results::record {
 
-/// Ways into the tables of observables.
+/// Statements that write to the tables of observables.
 struct ObservableTables {
   explicit ObservableTables(Database& database);
   Statement observable, sample, sums, bin, quantile, left_out;
 };
 
-/// An observable of one agent as it goes into the results. Its memory is bounded.
+/// Collects the values of one observable of one agent for the results. Its memory is bounded.
 class ObservedValue {
  public:
-  /// Whose value, and which.
+  /// Which observable of which agent.
   struct Identity {
-    std::int64_t row = 0;  ///< Of the table observables, and its number.
+    std::int64_t row = 0;  ///< Number and row in the table observables.
     hal::AgentId agent;
     std::string name;  ///< "agents.x"
     std::string unit;
   };
 
-  /// Writes its row of the table observables. @param request  outlives it.
+  /// Writes the row of the table observables. @param request  outlives this object.
   ObservedValue(ObservableTables& tables, const sim::scenario::ObservableRequest& request,
                 const Identity& identity);
 
-  /// @return rows written. What is not finite, or beyond 1e150, is left out.
+  /// @return number of rows written. Values that are not finite, or beyond 1e150, are ignored.
   int add(hal::Time at, double value);
 
-  /// Writes all but the samples. @param end  of the run.
+  /// Writes everything except the samples. @param end  of the run.
   void finish(hal::Time end);
 
  private:

@@ -7,11 +7,12 @@
 
 namespace results::record {
 
-/// What routing sent in a frame, as the protocol of who sent it says; "" if it is not routing's.
+/// Kind of the routing packet in a frame, in the words of the transmitter's protocol; "" if the
+/// frame has none.
 hal::node::routing::FrameName packet_name(const sim::radio::Frame& frame,
                                           const Protocols& protocols);
 
-/// The same of a frame that `source` asks for.
+/// The same for a frame that `source` asks its radio to send.
 hal::node::routing::FrameName packet_name(const sim::radio::MacRequest& request,
                                           hal::AgentId source, const Protocols& protocols);
 

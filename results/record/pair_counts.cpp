@@ -13,9 +13,9 @@ constexpr std::size_t kSmallest = 8;
 
 }  // namespace
 
-/// Of the key, or the free one where it belongs. @pre some word is free.
+/// Index of the word with the key, or of the free word for it. @pre at least one word is free.
 std::size_t PairCounts::Table::place_of(std::uint32_t key) const {
-  // Fibonacci hashing (Knuth, vol. 3, 6.4), scaled to the size instead of masked.
+  // Fibonacci hashing (Knuth, vol. 3, 6.4), scaled to the size of the table instead of masked.
   const std::uint32_t hash = key * std::uint32_t{2654435769U};
   std::size_t place = (std::size_t{hash} * words_.size()) >> 32U;
   while (words_[place] != 0 && words_[place] >> kKeyShift != key) {

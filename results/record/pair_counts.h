@@ -9,12 +9,11 @@
 
 namespace results::record {
 
-/// How often something of a kind happened between two agents. Made for millions of pairs: one word
-/// each. Between two calls of write_changes() the cost of a count is constant, and those that did
-/// not change cost nothing but their memory.
+/// Counts events by kind for pairs of agents. Made for millions of pairs: one word each. Counting
+/// takes constant time, and for write_changes() a count that has not changed costs only its memory.
 ///
-/// The counts of one first agent lie together: where one frame is noticed by hundreds, and its
-/// transmitter is the first agent, they are found in the cache.
+/// The counts of one first agent are stored together: if hundreds of radios sense a frame and its
+/// transmitter is the first agent, their counts are likely to be in the cache.
 class PairCounts {
  public:
   static constexpr int kKindBits = 8;
@@ -27,8 +26,8 @@ class PairCounts {
     if (tables_[first.value].add((std::uint32_t{second.value} << kKindBits) | kind)) ++changed_;
   }
 
-  /// Calls write(first, second, kind, count) for each count that grew since the last call, in that
-  /// order.
+  /// Calls write(first, second, kind, count) for each count that has grown since the last call,
+  /// ordered by first, second, kind.
   template <class Write>
   void write_changes(Write write) {
     for (std::size_t first = 0; first < tables_.size(); ++first) {
@@ -39,7 +38,7 @@ class PairCounts {
     end_of_writing();
   }
 
-  /// The same in order of second, first, kind.
+  /// The same, ordered by second, first, kind.
   template <class Write>
   void write_changes_by_second(Write write) {
     // In passes over all tables, so that what is sorted needs little memory.
@@ -55,13 +54,13 @@ class PairCounts {
     end_of_writing();
   }
 
-  std::uint64_t added() const { return added_; }      ///< Since the last write_changes(), and
-  std::uint64_t changed() const { return changed_; }  ///< how many counts that changed.
+  std::uint64_t added() const { return added_; }      ///< Events since the last write_changes().
+  std::uint64_t changed() const { return changed_; }  ///< Counts that these events changed.
 
  private:
   static constexpr std::uint64_t kSorted = 1U << 17U;
 
-  /// Addresses of second agents: from low up to, and without, high.
+  /// Range of addresses of second agents: low <= address < high.
   struct Seconds {
     std::uint32_t low = 0, high = 0;
   };
@@ -91,14 +90,15 @@ class PairCounts {
       write(hal::AgentId{c.first}, hal::AgentId{c.second}, c.kind, c.count);
   }
 
-  /// Of one first agent: a hash table with open addressing and linear probing (D. E. Knuth, "The
-  /// Art of Computer Programming", vol. 3, 6.4, algorithm L). A word is, from high bits to low, the
-  /// key (24), whether it changed (1), and the count (39), which is at least 1; 0: free.
+  /// Counts of one first agent: a hash table with open addressing and linear probing (D. E. Knuth,
+  /// "The Art of Computer Programming", vol. 3, 6.4, algorithm L). A word consists, from high bits
+  /// to low, of the key (24 bits), a flag for changed (1), and the count (39), which is at least 1;
+  /// a word 0 is free.
   class Table {
    public:
-    /// @return whether this is the first change since it was taken.
+    /// @return whether the count has not changed before since it was last taken.
     bool add(std::uint32_t key);
-    /// Appends what changed of the second agents of a range.
+    /// Appends the changed counts whose second agents are in the range, and marks them unchanged.
     void take_changes(Seconds range, std::uint16_t first, std::vector<Change>& changes);
 
    private:
@@ -111,8 +111,8 @@ class PairCounts {
   };
 
   std::vector<Table> tables_;    ///< By address.
-  std::uint16_t largest_ = 0;    ///< Of the second agents.
-  std::vector<Change> changes_;  ///< While they are written.
+  std::uint16_t largest_ = 0;    ///< Address of a second agent.
+  std::vector<Change> changes_;  ///< Only during a write.
   std::uint64_t added_ = 0;
   std::uint64_t changed_ = 0;
 };

@@ -14,18 +14,18 @@ namespace {
 
 constexpr std::size_t kBuffer = std::size_t{1} << 16U;
 
-// Types of blocks, codes of options.
+// Block types and option codes.
 constexpr std::uint32_t kSectionHeader = 0x0a0d0d0a;
 constexpr std::uint32_t kInterfaceDescription = 1;
 constexpr std::uint32_t kEnhancedPacket = 6;
 constexpr std::uint32_t kByteOrder = 0x1a2b3c4d;
 constexpr std::uint16_t kLinkTypeRadiotap = 127;
-constexpr std::uint16_t kUserApplication = 4;  ///< Of a section header.
+constexpr std::uint16_t kUserApplication = 4;  ///< Option of a section header.
 constexpr std::uint16_t kInterfaceName = 2;
 constexpr std::uint16_t kTimeResolution = 9;
 constexpr std::uint16_t kPacketFlags = 2;
 
-/// Little-endian, whatever the machine is.
+/// Appends an integer in little-endian order on any machine.
 template <class Integer>
 void put(std::string& out, Integer value) {
   for (std::size_t i = 0; i < sizeof(Integer); ++i) {
@@ -60,7 +60,7 @@ std::string section_header() {
   put(body, kByteOrder);
   put(body, std::uint16_t{1});   // major version
   put(body, std::uint16_t{0});   // minor version
-  put(body, ~std::uint64_t{0});  // length: not said
+  put(body, ~std::uint64_t{0});  // length: unspecified
   put_option(body, kUserApplication, "baraka");
   end_options(body);
   return block(kSectionHeader, body);
@@ -70,7 +70,7 @@ std::string interface_description(std::string_view name) {
   std::string body;
   put(body, kLinkTypeRadiotap);
   put(body, std::uint16_t{0});  // reserved
-  put(body, std::uint32_t{0});  // packets are never cut short
+  put(body, std::uint32_t{0});  // no limit on the packet length
   put_option(body, kInterfaceName, name);
   put_option(body, kTimeResolution, "\x09");  // 10^-9 s
   end_options(body);
@@ -99,8 +99,8 @@ void PcapngFile::add(hal::Time at, Direction direction, std::span<const std::uin
   put(body, std::uint32_t{0});  // the interface
   put(body, static_cast<std::uint32_t>(time >> 32U));
   put(body, static_cast<std::uint32_t>(time));
-  put(body, size);  // in the file
-  put(body, size);  // on the air
+  put(body, size);  // captured length
+  put(body, size);  // original length
   body.append(reinterpret_cast<const char*>(packet.data()), packet.size());
   pad(body);
   if (direction != Direction::kUnknown) {
@@ -133,7 +133,7 @@ void PcapngFile::flush() {
 void PcapngFile::fail(int error) {
   failed_ = true;
   buffer_.clear();
-  // What is there of a block that did not fit would make the file unreadable.
+  // A partly written block would make the file unreadable.
   if (descriptor_ >= 0 && ::ftruncate(descriptor_, written_) != 0) error = errno;
   throw std::runtime_error(
       fmt::format("{}: cannot be written: {}", file_.string(), std::strerror(error)));

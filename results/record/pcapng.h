@@ -12,23 +12,23 @@
 
 namespace results::record {
 
-/// A capture file with one interface, radiotap before IEEE 802.11 (link type 127), times in
-/// nanoseconds: PCAP Next Generation (draft-ietf-opsawg-pcapng). The same packets give the same
-/// bytes. Everything throws std::runtime_error if the file cannot be written; it then ends with
-/// the last packet that could, and what comes later is dropped.
+/// A capture file with one interface whose packets are radiotap before IEEE 802.11 (link type 127),
+/// times in nanoseconds: PCAP Next Generation (draft-ietf-opsawg-pcapng). Equal packets give equal
+/// bytes. Every member throws std::runtime_error if the file cannot be written; the file then ends
+/// with the last packet that fitted, and later packets are dropped.
 class PcapngFile {
  public:
   enum class Direction : std::uint8_t { kUnknown, kInbound, kOutbound };
 
-  /// @param file  replaced if it is there.  @param interface  its name, for people.
+  /// @param file  replaced if it exists.  @param interface  name of the interface in the file.
   PcapngFile(std::filesystem::path file, std::string_view interface);
-  ~PcapngFile();  ///< Closes it; no word of an error: call flush() before.
+  ~PcapngFile();  ///< Closes the file without reporting errors: call flush() before.
   PcapngFile(const PcapngFile&) = delete;
   PcapngFile& operator=(const PcapngFile&) = delete;
 
   void add(hal::Time at, Direction direction, std::span<const std::uint8_t> packet);
 
-  /// Makes what there is so far readable for others.
+  /// Writes what has been added so far, so that others can read it.
   void flush();
 
  private:

@@ -8,12 +8,12 @@
 
 namespace results::record {
 
-/// Which routing protocol each agent speaks, and how it is set.
+/// The routing protocol of each agent, and the configuration of the protocols.
 class Protocols {
  public:
   explicit Protocols(const sim::agents::SimulationConfig& config);
 
-  /// Null: there is no such agent.
+  /// @return null if there is no such agent.
   const hal::node::routing::ProtocolKind* of(hal::AgentId agent) const {
     return agent.value < kinds_.size() ? kinds_[agent.value] : nullptr;
   }

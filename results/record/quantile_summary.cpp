@@ -28,7 +28,7 @@ double QuantileSummary::exact(double p) {
   return fresh_[below] + (place - std::floor(place)) * (fresh_[above] - fresh_[below]);
 }
 
-/// A value between two entries may have any rank that the upper one may have.
+/// A value between two entries can have any rank that the upper entry can have.
 void QuantileSummary::merge() {
   std::sort(fresh_.begin(), fresh_.end());
   std::vector<Entry> all;
@@ -46,8 +46,8 @@ void QuantileSummary::merge() {
   compress();
 }
 
-/// Joins entries as long as no rank gets more uncertain than 2 kError of the count. The first and
-/// the last stay: they are the least and the greatest value.
+/// Joins entries as long as no rank becomes more uncertain than 2 kError times the count. The first
+/// and the last entry are kept: they are the minimum and the maximum.
 void QuantileSummary::compress() {
   const auto most = static_cast<std::uint64_t>(2 * kError * static_cast<double>(merged_));
   std::vector<Entry> kept{entries_.back()};
@@ -67,7 +67,7 @@ double QuantileSummary::estimate(double p) const {
   const auto n = static_cast<double>(merged_);
   const double rank = std::clamp(std::ceil(p * n), 1.0, n);
   const double allowed = kError * n;
-  double lowest = 0;  // rank that the entry has at least
+  double lowest = 0;  // lower limit of the entry's rank
   for (const Entry& entry : entries_) {
     lowest += static_cast<double>(entry.covered);
     const double highest = lowest + static_cast<double>(entry.slack);

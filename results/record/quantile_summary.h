@@ -6,14 +6,15 @@
 
 namespace results::record {
 
-/// Quantiles of a stream of numbers in bounded memory: exact up to kExact of them, of type 7;
-/// above, each p-quantile is a value whose rank is wrong by at most kError of their number, by M.
-/// Greenwald and S. Khanna, "Space-Efficient Online Computation of Quantile Summaries", SIGMOD
-/// 2001. Nothing is drawn: equal numbers in equal order give equal quantiles.
+/// Quantiles of a stream of numbers in bounded memory. Up to kExact numbers they are exact, of type
+/// 7 (Hyndman and Fan, 1996; see scalar_kinds.cpp). Beyond that, the rank of each quantile is wrong
+/// by at most kError times the count: M. Greenwald and S. Khanna, "Space-Efficient Online
+/// Computation of Quantile Summaries", SIGMOD 2001. No random numbers are used: equal numbers in
+/// equal order give equal quantiles.
 class QuantileSummary {
  public:
   static constexpr std::size_t kExact = 10'000;
-  static constexpr double kError = 1e-3;  ///< Of the rank, as a share.
+  static constexpr double kError = 1e-3;  ///< Greatest error of a rank, as a share of the count.
 
   /// @param value  finite.
   void add(double value);
@@ -25,8 +26,8 @@ class QuantileSummary {
   double quantile(double p);
 
  private:
-  /// `value` stands for `covered` values: it and those between it and the entry before. Its rank is
-  /// that of the first of them at least, and at most `slack` more than that of the last.
+  /// `value` stands for `covered` numbers: itself and those between it and the entry before. Its
+  /// rank is at least the sum of `covered` up to this entry, and at most that plus `slack`.
   struct Entry {
     double value = 0;
     std::uint64_t covered = 0;
@@ -38,7 +39,7 @@ class QuantileSummary {
   double exact(double p);
   double estimate(double p) const;
 
-  std::vector<double> fresh_;  ///< Not merged yet.
+  std::vector<double> fresh_;  ///< Not merged into entries_ yet.
   std::vector<Entry> entries_;
   std::uint64_t merged_ = 0;
 };

@@ -8,7 +8,7 @@
 namespace results::record {
 namespace {
 
-// Numbers of the fields; each begins at a multiple of its size.
+// Bit numbers of the fields. Each field is aligned to its size.
 constexpr int kTsft = 0;
 constexpr int kFlags = 1;
 constexpr int kRate = 2;
@@ -24,7 +24,7 @@ constexpr std::uint16_t kOfdm = 0x0040;
 constexpr std::uint16_t k2GHz = 0x0080;
 constexpr std::uint16_t k5GHz = 0x0100;
 
-/// Preambles of DSSS: 144 and 72 us (IEEE Std 802.11-2016, 16.2.2).
+/// Short preamble of DSSS: 72 us; the long one has 144 us (IEEE Std 802.11-2016, 16.2.2).
 constexpr hal::Duration kShortDsssPreamble = std::chrono::microseconds{72};
 
 template <class Integer>
@@ -45,7 +45,7 @@ std::uint8_t flags_of(const sim::radio::Frame& frame) {
   return static_cast<std::uint8_t>(kFcsAtEnd | (is_short ? kShortPreamble : 0));
 }
 
-/// In 500 kb/s; none: it is not such a multiple.
+/// In units of 500 kb/s; none if the rate is not a multiple, or does not fit.
 std::optional<std::uint8_t> rate_of(const sim::radio::Frame& frame) {
   const double units = frame.rate.value / 500e3;
   if (units < 1 || units > 127 || units != std::floor(units)) return std::nullopt;

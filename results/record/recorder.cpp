@@ -40,8 +40,8 @@ Recorder::Recorder(const std::filesystem::path& file, const sim::agents::Simulat
 
 NewDatabase::NewDatabase(const std::filesystem::path& file) : Database(file, Mode::kCreate) {
   create_tables(*this);
-  // A write-ahead log lets others read while the run goes on. It is worked in when it has a hundred
-  // pages, so that little of it is left where a full disk ends the run.
+  // With a write-ahead log others can read while the run goes on. A checkpoint every hundred pages
+  // keeps the log short, so that little of it is left to merge if a full disk ends the run.
   execute("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 100");
 }
 
@@ -49,7 +49,7 @@ Recorder::~Recorder() {
   try {
     if (!is_given_up_) commits_.write_totals();
     if (!is_given_up_) commits_.commit();
-    // One plain file stays, readable also where nothing can be written.
+    // Leaves a single file, which can also be read where nothing can be written.
     if (!is_given_up_) database_.execute("COMMIT");
     database_.execute("PRAGMA journal_mode = DELETE");
   } catch (const std::exception& e) {

@@ -24,14 +24,16 @@ namespace results::record {
 
 class Observables;
 
-/// A file with empty tables, ready for statements.
+/// A new database file. The tables exist when the constructor returns, so that members declared
+/// after it can prepare statements.
 class NewDatabase : public Database {
  public:
   explicit NewDatabase(const std::filesystem::path& file);
 };
 
-/// Writes what is observed of a run to an SQLite file with the tables of schema.h: it owns the
-/// file, says what was run and how it ended, and hands all else to the writers of topics.h.
+/// Writes what is observed of a run to an SQLite file with the tables of schema.h. It owns the
+/// file, records what was run and how it ended, and passes everything else to the writers of
+/// topics.h.
 ///
 ///   Recorder recorder(folder / "run.sqlite", config);
 ///   recorder.set("scenario", "case_study");
@@ -42,34 +44,35 @@ class NewDatabase : public Database {
 ///   feed.finish();
 ///   recorder.finish(outcome, feed.fingerprint());
 ///
-/// If the process dies, the file holds everything up to the last commit: one every
+/// If the process dies, the file holds everything up to the last commit. There is a commit every
 /// Commits::kCommitPeriod of simulated time, every kCommitRows rows, and at each commit(). Totals
-/// (the tables bodies, frames_sent, receptions, packets, requests and relays, and of messages that
-/// are not listed) are those of the last kCommitPeriod, or of the last commit() that found them few
-/// beside what was counted: so to keep them costs little beside counting, however many pairs of
-/// agents there are. Every member throws std::runtime_error if the file cannot be written; then
-/// only give_up() is left.
+/// (the tables bodies, frames_sent, receptions, packets, requests and relays, and those of messages
+/// that are not listed) are older: they are written every kCommitPeriod, and at a commit() that
+/// finds few of them compared with what they count. So writing them costs little compared with
+/// counting, however many pairs of agents there are. Every member throws std::runtime_error if the
+/// file cannot be written; after that only give_up() may be called.
 class Recorder final : public sim::agents::ObserverList {
  public:
   Recorder(const std::filesystem::path& file, const sim::agents::SimulationConfig& config,
            RecorderOptions options = {});
   ~Recorder() override;
 
-  /// A row of the table run; replaces an earlier one of that key.
+  /// Writes a row of the table run; replaces an earlier one with that key.
   void set(std::string_view key, std::string_view value);
   void set(std::string_view key, double value);
   void set(std::string_view key, std::uint64_t value);
 
-  /// Rows of the table settings.
+  /// Writes rows of the table settings.
   void add_settings(const std::vector<std::pair<std::string, std::string>>& settings);
 
-  /// Words of which the run can have counts, besides those of countable_of(): what its controllers
-  /// declare. Some may be there.
+  /// Adds words that the run can have counts of, besides those of countable_of(): those that its
+  /// controllers declare. Words that are there already are ignored.
   void add_countable(const std::vector<sim::scenario::Countable>& words);
 
   void add(const sim::Fingerprint::Row& row);
 
-  /// A writer of this run, to be told what observers are not. @return null: the run has none such.
+  /// Finds the writer of a type, for calls that are not callbacks of Observer. @return null: the
+  /// run has no such writer.
   template <class One>
   One* find() const {
     for (const auto& writer : commits_.writers()) {
@@ -78,28 +81,29 @@ class Recorder final : public sim::agents::ObserverList {
     return nullptr;
   }
 
-  /// Observes what is asked for. Before the run; at most once.
-  /// @param simulation  of that run; the caller makes what is returned its observer and sampler.
-  /// @param unit_of  unit of what an agent's controller records under a name; "": not known.
+  /// Observes what is asked for. Call before the run, at most once.
+  /// @param simulation  of that run; the caller adds the result to its observers and samplers.
+  /// @param unit_of  unit of a value that an agent's controller records, by name; "": not known.
   Observables& observe(std::vector<sim::scenario::ObservableRequest> requests,
                        const sim::agents::SimulationConfig& config,
                        const sim::agents::Simulation& simulation,
                        std::function<std::string(hal::AgentId, const std::string&)> unit_of);
 
-  /// As TopicWriter::look_at(), of all.
+  /// Calls TopicWriter::look_at() of all writers.
   void look_at(const sim::agents::Simulation& simulation);
 
-  /// Writes how a run ended that did not begin, or that could not be written to its end: what came
-  /// after the last commit is lost, its end is not if there is room for a few thousand bytes.
+  /// Writes the outcome of a run that did not begin, or whose recording failed. What came after the
+  /// last commit is lost; the outcome is written if there is room for a few thousand bytes.
   void give_up(const sim::agents::Outcome& outcome);
 
-  /// Writes how the run ended. set() still works, and takes effect, afterwards.
+  /// Writes the outcome of the run. Later calls of set() still take effect.
   void finish(const sim::agents::Outcome& outcome, const sim::Fingerprint& fingerprint);
 
-  /// Message classes of which nothing arrived at anyone. After finish().
+  /// Message classes of which no message was delivered to anyone. Call after finish().
   std::vector<UnheardTopic> unheard_topics() { return record::unheard_topics(database_); }
 
-  /// Makes what there is so far readable for others: all rows, and the totals unless they are many.
+  /// Commits what has been recorded so far, so that others can read it: all rows, and the totals
+  /// unless they are many.
   void commit();
 
   void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) override;

@@ -8,11 +8,12 @@
 namespace results::record {
 namespace {
 
-/// Of a frame that came to whom it is for: that station, or the source, is associated nowhere.
+/// Verdict of a frame that reached its destination but could not be used: that station, or the
+/// source, is not associated.
 constexpr hal::Verdict kUnused = hal::Verdict::kNoRoute;
 
-/// What is for the station itself, or its own, is not passed on; the table also has what came to it
-/// and cannot be used there.
+/// Frames to the access point itself, or from itself, are not relayed. The table also counts frames
+/// that reached their destination and cannot be used there.
 bool is_counted(const sim::radio::Msdu& msdu, const sim::radio::MsduEnd& end) {
   const bool is_used = msdu.request.destination == msdu.station && end.verdict != kUnused;
   return msdu.source != msdu.station && !is_used;
@@ -75,7 +76,7 @@ void RelayCounts::write(hal::Time now) {
   changed_ = false;
   write_flows();
   for (auto& [key, queue] : queues_) {
-    // What waits goes on waiting: it is looked at again.
+    // While frames wait, the row changes with time: write it again next time.
     changed_ = changed_ || queue.waiting > 0;
     queue.wait_until(std::max(now, queue.since));
     put_queue_.run(key.first.value, key.second.value, queue.frames, queue.waiting, queue.most,

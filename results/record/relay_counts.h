@@ -15,8 +15,8 @@
 
 namespace results::record {
 
-/// The tables relays and relay_queues: what access points did with what stations sent through them,
-/// and what waits in them, by destination.
+/// Writes the tables relays and relay_queues: what access points did with frames that stations sent
+/// through them, and the queues of access points by destination.
 class RelayCounts final : public TopicWriter {
  public:
   explicit RelayCounts(Database& database);
@@ -27,7 +27,8 @@ class RelayCounts final : public TopicWriter {
   void on_msdu_end(hal::Time at, const sim::radio::Msdu& msdu,
                    const sim::radio::MsduEnd& end) override;
 
-  /// Writes all rows anew. @param now  until when what waits has waited.
+  /// Rewrites all rows, if anything changed. @param now  frames that still wait have waited until
+  /// then.
   void write(hal::Time now) override;
 
  private:
@@ -39,7 +40,7 @@ class RelayCounts final : public TopicWriter {
   };
   struct Queue {
     std::uint64_t frames = 0, waiting = 0, most = 0;
-    hal::Duration waited{};  ///< Of all frames, up to `since`.
+    hal::Duration waited{};  ///< Total time of all frames, up to `since`.
     hal::Time since{};
 
     void wait_until(hal::Time at) {
@@ -47,8 +48,9 @@ class RelayCounts final : public TopicWriter {
       since = at;
     }
   };
-  using FlowKey = std::tuple<hal::AgentId, hal::AgentId, hal::AgentId>;  ///< At, from, to.
-  using QueueKey = std::pair<hal::AgentId, hal::AgentId>;                ///< At, to.
+  /// Access point, source, destination.
+  using FlowKey = std::tuple<hal::AgentId, hal::AgentId, hal::AgentId>;
+  using QueueKey = std::pair<hal::AgentId, hal::AgentId>;  ///< Access point, destination.
 
   void write_flows();
 

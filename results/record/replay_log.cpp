@@ -15,8 +15,8 @@ namespace results::record {
 
 namespace {
 
-/// Of the row's first column. Turns and arrivals are in order of time: the queue of events relies
-/// on it.
+/// The time in the first column of a row. Turns and arrivals must be in order of time, because the
+/// event queue relies on it.
 hal::Time time_of(const Statement& row, hal::Time after) {
   const hal::Time at{hal::Duration{row.integer(0)}};
   if (at < after) row.refuse(0, fmt::format("before {} ns of the row above", hal::to_ns(after)));

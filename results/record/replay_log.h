@@ -10,21 +10,21 @@
 
 namespace results::record {
 
-/// What a run needs to be repeated, beside its scenario and seed.
+/// What is needed to repeat a run, besides its scenario and seed.
 struct ReplayLog {
   bool in_real_time = false;
   std::vector<sim::agents::Turn> turns;       ///< In their order; none in lock-step.
-  std::vector<sim::OutsideArrival> arrivals;  ///< By time.
+  std::vector<sim::OutsideArrival> arrivals;  ///< Sorted by time.
   hal::Time ended_at{};
 };
 
 /// Reads it from `run.sqlite` in a folder.
-/// @throws std::runtime_error if it is missing, damaged, of another version, of a run that scenario
-/// and seed repeat by themselves (in lock-step and with nothing from outside), or of one that never
+/// @throws std::runtime_error  the file is missing, damaged or of another version; or the run needs
+/// no log because scenario and seed repeat it (lock-step, nothing from outside); or the run never
 /// ended.
 ReplayLog read_replay_log(const std::filesystem::path& folder);
 
-/// The table settings. @throws std::runtime_error as above.
+/// Reads the table settings. @throws std::runtime_error as read_replay_log().
 std::map<std::string, std::string> read_settings(const std::filesystem::path& folder);
 
 }  // namespace results::record

@@ -11,15 +11,15 @@
 
 namespace results::record {
 
-/// The table routes.
+/// Writes the table routes.
 class RouteLog final : public TopicWriter {
  public:
-  /// @param protocols  outlives it.
+  /// @param protocols  outlives this object.
   RouteLog(Database& database, const Protocols& protocols, Commits& commits);
 
   static std::vector<Table> tables();
 
-  /// @pre the agent is one of the run's.
+  /// @pre the agent belongs to the run.
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
 
  private:

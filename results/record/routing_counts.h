@@ -14,8 +14,8 @@
 
 namespace results::record {
 
-/// The tables discoveries, and routing_events: what the routing protocols of the agents did, by
-/// agent and event.
+/// Writes the tables discoveries and routing_events: what the routing protocols of the agents did,
+/// by agent and event.
 class RoutingCounts final : public TopicWriter {
  public:
   RoutingCounts(Database& database, Commits& commits);
@@ -29,7 +29,7 @@ class RoutingCounts final : public TopicWriter {
     changed_ = true;
   }
 
-  /// Writes all rows anew, if there is anything new.
+  /// Rewrites all rows, if a count changed.
   void write(hal::Time now) override;
 
  private:

@@ -6,7 +6,7 @@
 namespace results::record {
 namespace {
 
-/// Of runs whose agents have networks.
+/// Keys of runs whose agents have networks.
 std::vector<RunKey> network_run_keys() {
   return {
       {"entering_frames", "", "with networks: frames that came from programs"},

@@ -10,7 +10,8 @@
 namespace results::record {
 namespace {
 
-/// Nothing of a key that is a text. @param row  its value is column 1
+/// Checks a key whose value is a number; other keys are accepted. @param row  its column 1 is the
+/// value.
 void check_number(const RunKey& key, const Statement& row) {
   constexpr auto kLatest = static_cast<double>(kLatestTime);
   const bool is_whole = is_count(key) || key.unit == "ns";
@@ -32,7 +33,7 @@ RunReader::RunReader(const std::filesystem::path& folder)
   database_.know(agents(), integer("ended_ns").value_or(kLatestTime));
 }
 
-/// Of the values that are numbers.
+/// Checks the values that are numbers.
 void RunReader::check_keys() {
   Statement rows = query("SELECT key AS rowid, value FROM run");
   while (rows.next()) {

@@ -6,7 +6,7 @@
 
 namespace results::record {
 
-/// The tables that the Recorder writes itself: what was run, among whom, and how.
+/// The tables that the Recorder writes itself: what was run, with which agents, and the result.
 std::vector<Table> run_tables();
 std::vector<Table> countable_tables();
 std::vector<Table> fingerprint_tables();

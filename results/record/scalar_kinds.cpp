@@ -1,4 +1,4 @@
-// What every run has as numbers. The file is long because it is the list of them all.
+// The scalars that every run has. The file is long because it lists them all.
 #include <fmt/format.h>
 
 #include "results/record/scalars.h"
@@ -6,7 +6,7 @@
 namespace results::record {
 namespace {
 
-/// How often each word came up; 0 of those that could have.
+/// Count of each word, including 0 for words that were possible but did not occur.
 /// @param counted  SELECT of words and counts, as `word` and `n`.
 std::string with_zeros(std::string_view counted, std::string_view family) {
   return fmt::format(
@@ -15,7 +15,7 @@ std::string with_zeros(std::string_view counted, std::string_view family) {
       counted, family);
 }
 
-/// A sum, of runs that counted at all. @param select  one row.
+/// A sum, only for runs that count that family. @param select  selects one row.
 std::string if_counted(std::string_view select, std::string_view family) {
   return fmt::format("{} HAVING EXISTS (SELECT 1 FROM countable WHERE family = '{}')", select,
                      family);
@@ -40,9 +40,10 @@ constexpr std::string_view kDelays =
     " WHERE destination < 65534";
 constexpr std::string_view kSearches = "SELECT took_ns * 1e-9 AS v FROM discoveries WHERE found";
 
-/// Of type 7 (R. J. Hyndman and Y. Fan, "Sample Quantiles in Statistical Packages", The American
-/// Statistician 50(4), 1996): the p-quantile of n values lies at the place (n - 1) p from 0, and
-/// linearly between two of them: each counts by 1 - |its place - that place| if that is positive.
+/// Quantile of type 7 (R. J. Hyndman and Y. Fan, "Sample Quantiles in Statistical Packages", The
+/// American Statistician 50(4), 1996). The p-quantile of n sorted values is at position (n - 1) p,
+/// counted from 0, interpolated linearly: each value has the weight max(0, 1 - |its position - that
+/// position|).
 std::string quantile(std::string_view of, double p) {
   return fmt::format(
       "WITH sorted AS (SELECT v, ROW_NUMBER() OVER (ORDER BY v) - 1 AS place,"
@@ -169,7 +170,7 @@ std::vector<ScalarKind> body_scalars() {
   };
 }
 
-/// The states that controllers of agents named, and those that they could have named.
+/// The states that controllers of agents have reported, and those that they could have reported.
 constexpr const char* kPossibleStates =
     "possible AS (SELECT agent, word AS state FROM agents JOIN countable USING (program)"
     " WHERE family = 'states' UNION SELECT agent, state FROM states)";

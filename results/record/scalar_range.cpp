@@ -1,4 +1,4 @@
-// What there is to know of a number by its name.
+// What the name of a scalar tells about its range.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -8,7 +8,8 @@
 namespace results::record {
 namespace {
 
-/// Whether a name is of a family: "topics.audio.sent" of "topics.TOPIC.sent". A word has no dots.
+/// Whether a name belongs to a family: "topics.audio.sent" to "topics.TOPIC.sent". A word has no
+/// dots.
 bool is_of(std::string_view name, std::string_view family) {
   const auto around = around_word(family);
   if (!around) return false;
@@ -19,14 +20,15 @@ bool is_of(std::string_view name, std::string_view family) {
   return word.find('.') == std::string_view::npos;
 }
 
-/// Of the observables, without their agents.
+/// Observables that are shares; names without agents.
 constexpr std::array<std::string_view, 6> kShares = {"agents.battery",       "radio.on",
                                                      "radio.transmit_share", "radio.receive_share",
                                                      "radio.idle_share",     "radio.off_share"};
 constexpr std::array<std::string_view, 5> kNotNegative = {
     "agents.tilt", "agents.speed", "agents.clearance", "agents.odometry_error", "agents.energy"};
 
-/// Radios, routers and messages have counts, times and shares of them, and the power of a frame.
+/// In the domains of radios, routing and messages all values are counts, times or shares, except
+/// the power of a frame.
 Range range_of_observable(std::string_view name) {
   if (std::ranges::find(kShares, name) != kShares.end()) return Range::kShare;
   if (std::ranges::find(kNotNegative, name) != kNotNegative.end()) return Range::kNotNegative;
@@ -54,7 +56,7 @@ std::optional<std::pair<std::string_view, std::string_view>> around_word(std::st
 
 const ScalarKind* scalar_kind_of(std::string_view name) {
   const auto& kinds = scalar_kinds();
-  // "frames.sent" has a kind of its own beside "frames.CLASS".
+  // "frames.sent" has a kind of its own besides "frames.CLASS".
   const auto own = std::ranges::find(kinds, name, &ScalarKind::name);
   if (own != kinds.end()) return &*own;
   const auto found =

@@ -10,7 +10,7 @@
 namespace results::record {
 namespace {
 
-/// With each part as in a name: what a controller records may be called anything.
+/// Applies name_part() to each part: the name of a value that a controller records is arbitrary.
 std::string observable_name(const std::string& name) {
   std::string result;
   for (std::size_t begin = 0; begin <= name.size();) {
@@ -22,8 +22,9 @@ std::string observable_name(const std::string& name) {
   return result;
 }
 
-/// Names after words of scenarios and controllers. Different words may be equal as parts of a name,
-/// "cam-1" and "cam_1": by their order, the later ones end in "_2", "_3", ….
+/// Makes unique names from words of scenarios and controllers. Different words can become equal by
+/// name_part(), such as "cam-1" and "cam_1": the later ones in their order get the suffix "_2",
+/// "_3", ….
 class Names {
  public:
   explicit Names(RunReader& reader) {
@@ -36,7 +37,7 @@ class Names {
 
   std::string of_observable(const std::string& words) { return of(words, observable_name(words)); }
 
-  /// "topics.TOPIC.sent" with "call" for the word in capitals.
+  /// Replaces the word in capitals: "topics.TOPIC.sent" with "call" is "topics.call.sent".
   std::string in_family(std::string_view family, const std::string& word) {
     const auto [head, tail] = *around_word(family);
     const std::string domain(head);
@@ -52,7 +53,8 @@ class Names {
     return name->second;
   }
 
-  std::map<std::pair<std::string, std::string>, std::string> given_;  ///< By words, and as wanted.
+  /// By word and unsuffixed name.
+  std::map<std::pair<std::string, std::string>, std::string> given_;
   std::set<std::string> taken_;
 };
 
@@ -73,7 +75,7 @@ void read(RunReader& reader, const ScalarKind& kind, Names& names, std::vector<S
   }
 }
 
-/// What there is of the observables in short. Where one is kept in two ways, the first counts.
+/// Sums of the observables. If one is kept in two ways, the first counts.
 constexpr const char* kSums =
     "WITH first AS (SELECT MIN(observable) AS observable FROM observables GROUP BY name, agent),"
     " some AS (SELECT o.name, o.agent, o.unit, count, mean, mean_over_time, sd, min, max, last"
@@ -97,7 +99,7 @@ void read_sums(RunReader& reader, Names& names, std::vector<Scalar>& to) {
   while (rows.next()) {
     const bool is_count = rows.text(2) == ".count";
     const double value = rows.real(4);
-    if (!std::isfinite(value)) continue;  // a sum of values near the largest number
+    if (!std::isfinite(value)) continue;  // overflow of a sum of very large values
     to.push_back({.name = names.of_observable(rows.text(1)) + rows.text(2),
                   .unit = is_count ? "1" : rows.text(3),
                   .agent = rows.text(0),
@@ -105,8 +107,7 @@ void read_sums(RunReader& reader, Names& names, std::vector<Scalar>& to) {
   }
 }
 
-/// @param rows  of agent, name, ns, value, unit, rowid; those of one series follow one another, by
-///   time.
+/// @param rows  agent, name, ns, value, unit, rowid; grouped by series, each in order of time.
 void read_points(Statement& rows, const std::string& domain, Names& names,
                  std::vector<Series>& to) {
   while (rows.next()) {
@@ -142,7 +143,7 @@ std::vector<Scalar> scalars_of(RunReader& reader) {
   read_sums(reader, names, observed);
   std::set<std::pair<std::string, std::string>> seen;
   for (const Scalar& one : observed) seen.emplace(one.name, one.agent);
-  // What a controller records and is observed as well counts as observed.
+  // If a value that a controller records is also observed, only the observable is kept.
   std::erase_if(scalars, [&](const Scalar& one) { return seen.contains({one.name, one.agent}); });
   scalars.insert(scalars.end(), observed.begin(), observed.end());
   return scalars;

@@ -9,17 +9,17 @@
 
 namespace results::record {
 
-/// Version of the tables below, as `PRAGMA user_version` of the file. Any change of a table, of a
-/// column or of what one means is a new version; readers accept this one only.
+/// Version of the tables below, stored as `PRAGMA user_version` of the file. It is incremented by
+/// any change of a table, of a column or of a meaning; readers accept this version only.
 inline constexpr int kSchemaVersion = 14;
 
-/// The file with the tables, in the folder of a result.
+/// Name of the file with the tables, in the folder of a result.
 inline constexpr const char* kResultsFile = "run.sqlite";
 
 /// One column of a table.
 struct Column {
-  std::string_view name;  ///< Ends in the unit if it has one: `x_m`, `yaw_rad`, `at_ns`.
-  std::string_view type;  ///< Of SQLite, with NOT NULL where it is never null.
+  std::string_view name;  ///< Ends in the unit if there is one: `x_m`, `yaw_rad`, `at_ns`.
+  std::string_view type;  ///< SQLite type, with NOT NULL if it is never null.
   std::string_view unit;  ///< "m", "rad", "ns", "s", "dBm", "bit", "byte"; "" for none.
   std::string_view meaning;
 };
@@ -30,45 +30,47 @@ struct Table {
   std::string_view meaning;
   std::vector<Column> columns;
   std::string_view primary_key = "";  ///< Columns, separated by ", "; "" for none.
-  std::string_view query = "";        ///< Not "": a view that selects the columns with this.
+  std::string_view query = "";        ///< If not "": a view, with this SELECT.
 };
 
-/// A key of the table `run`; its name ends in the unit as a column's does.
+/// A key of the table `run`; its name ends in the unit, like that of a column.
 struct RunKey {
   std::string_view name, unit, meaning;
 };
 
-/// The tables of `run.sqlite`, and the keys of its table `run`: the one source of the file, of its
-/// description and of what may be exported.
+/// The tables of `run.sqlite`, and the keys of its table `run`. The file, its description and the
+/// list of what can be exported are all made from these.
 const std::vector<Table>& tables();
 const std::vector<RunKey>& run_keys();
 
-/// Whether a key of the table `run` is a whole number that is not negative.
+/// Whether the value of a key of the table `run` is a whole number >= 0.
 bool is_count(const RunKey& key);
 
-/// @return null: there is none of that name.
+/// @return null if there is no table of that name.
 const Table* find_table(std::string_view name);
 
 /// "run, settings, agents, …"
 std::string table_names();
 
-/// Conventions that hold for all tables, in one paragraph.
+/// Conventions for all tables, in one paragraph.
 std::string_view conventions();
 
-/// As SQL, meanings as comments: SQLite keeps them, `sqlite3 run.sqlite .schema` shows them.
+/// SQL that creates the tables. Meanings are comments: SQLite keeps them, and `sqlite3 run.sqlite
+/// .schema` shows them.
 std::string schema_sql();
 
-/// The same of other tables than those of `run.sqlite`: of a file of another kind.
+/// The same for other tables than those of `run.sqlite`, for files of other kinds.
 std::string schema_sql(const std::vector<Table>& tables);
 const Table* find_table(const std::vector<Table>& tables, std::string_view name);
 std::string table_names(const std::vector<Table>& tables);
 
-/// Makes the tables in a new file. It does not wait for the disk, then or later: if the machine
-/// dies, the last seconds are lost, but not if the process does.
+/// Creates the tables in a new file. Neither this nor later writes wait for the disk: the last
+/// seconds are lost if the machine crashes, but not if the process does.
 void create_tables(Database& database);
 
 /// @param folder  of the result, for the message.
-/// @throws std::runtime_error  the file has tables of another version; both are named.
+/// @throws std::runtime_error  the file has tables of another version; the message has both
+/// versions.
 void require_version(Database& database, const std::filesystem::path& folder);
 
 }  // namespace results::record

@@ -11,7 +11,7 @@
 namespace results::record {
 namespace {
 
-/// SQL without comments outside of quotes, and with one space for any white space.
+/// Normalises SQL: removes comments outside of quotes and replaces white space by one space.
 std::string normal(std::string_view sql) {
   std::string result;
   bool is_quoted = false;

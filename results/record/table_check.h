@@ -13,15 +13,16 @@ namespace results::record {
 
 using PreparedSql = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
-/// A statement that nothing checks: null if SQLite refuses it.
+/// Prepares a statement whose cells are not checked. @return null if SQLite refuses it.
 PreparedSql prepared(sqlite3* handle, const std::string& sql);
 
-/// Of the current row; "" for a null.
+/// Text of a cell of the current row; "" if it is null.
 std::string text_at(sqlite3_stmt* statement, int column);
 
 /// @param file  for messages.
-/// @throws std::runtime_error  a table or view is not there, or is not as create_tables() makes it:
-///   a view by the name could be endless, a computed column be of any size.
+/// @throws std::runtime_error  a table or view is missing, or differs from what create_tables()
+/// makes. Otherwise a view with the name of a table could be endless, or a computed column could
+/// have any size.
 void require_tables(sqlite3* handle, const std::string& file, const std::vector<Table>& tables);
 
 }  // namespace results::record

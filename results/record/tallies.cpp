@@ -6,7 +6,7 @@
 namespace results::record {
 namespace {
 
-/// Of messages that are older, the delay is not told: what was sent is forgotten.
+/// No delay is reported for messages that take longer: their sending time is forgotten.
 constexpr hal::Duration kLongestDelay = std::chrono::minutes{10};
 
 bool is_to_one(const hal::Message& message) { return !hal::is_broadcast(message.destination); }

@@ -15,16 +15,16 @@
 
 namespace results::record {
 
-/// What tally_kinds() says, of each agent.
+/// Keeps the values of tally_kinds() for each agent.
 class Tallies {
  public:
-  /// Of a value that is of events: it has a new one.
+  /// Called when a value that consists of events has a new event.
   using OnEvent = std::function<void(hal::Time, hal::AgentId, sim::scenario::Tally, double)>;
 
-  /// @param highest  address of an agent.
+  /// @param highest  highest address of an agent.
   Tallies(hal::AgentId highest, OnEvent on_event);
 
-  /// None: nothing has happened yet.
+  /// None: no event has occurred yet.
   std::optional<double> value(hal::AgentId agent, sim::scenario::Tally tally) const;
 
   void count(hal::AgentId agent, sim::scenario::Tally tally, double more = 1) {
@@ -47,8 +47,8 @@ class Tallies {
 
   std::vector<std::array<double, sim::scenario::kTallies>> values_;  ///< By address.
   OnEvent on_event_;
-  std::map<MessageKey, hal::Time> sent_;                     ///< Of the last kLongestDelay, and
-  std::deque<std::pair<hal::Time, MessageKey>> sent_order_;  ///< in the order of sending.
+  std::map<MessageKey, hal::Time> sent_;  ///< Messages of the last kLongestDelay.
+  std::deque<std::pair<hal::Time, MessageKey>> sent_order_;  ///< The same, in order of sending.
 };
 
 }  // namespace results::record

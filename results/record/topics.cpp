@@ -31,10 +31,10 @@ using sim::scenario::Detail;
 
 struct Topic {
   std::vector<Table> (*tables)();
-  void (*add)(Recording&) = nullptr;  ///< Its writer; null: another topic's, or the Recorder's.
+  void (*add)(Recording&) = nullptr;  ///< Null: another topic, or the Recorder, writes the tables.
 };
 
-/// One that is always there and needs nothing else.
+/// Adds a writer that is always needed and takes no other arguments.
 template <class One>
 void add_plain(Recording& of) {
   of.add<One>(of.database, of.commits);
@@ -76,8 +76,9 @@ void add_relays(Recording& of) {
   if (of.options.counts_frames()) of.add<RelayCounts>(of.database);
 }
 
-/// In the order of the tables in the file, and of the writers when something happens: those that
-/// count frames before those that list them, whose rows may end in a commit of the totals.
+/// In the order of the tables in the file, which is also the order of the writers' callbacks:
+/// writers that count frames come before those that list them, because a listed row can cause a
+/// commit of the totals.
 constexpr Topic kTopics[] = {
     {run_tables},
     {countable_tables},

@@ -15,16 +15,16 @@ struct RecorderOptions {
   hal::Duration pose_period = std::chrono::seconds{1};
   sim::scenario::Detail frames = sim::scenario::Detail::kCounts;
   sim::scenario::Detail messages = sim::scenario::Detail::kAll;
-  /// Of DDS, if an agent has a network.
+  /// DDS samples, for runs in which an agent has a network.
   sim::scenario::Detail samples = sim::scenario::Detail::kCounts;
   /// kAll: each change of a route, and the lengths of queues.
   sim::scenario::Detail routes = sim::scenario::Detail::kNone;
-  sim::scenario::Detail readings = sim::scenario::Detail::kNone;  ///< As LookLog::Settings.
+  sim::scenario::Detail readings = sim::scenario::Detail::kNone;  ///< See LookLog::Settings.
 
   bool counts_frames() const { return frames != sim::scenario::Detail::kNone; }
 };
 
-/// What the writers of a run are made from, and where they go.
+/// What the writers of a run need, and the lists to which they are added.
 struct Recording {
   Database& database;
   const RecorderOptions& options;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 8;
 
-/// One row per topic, sender and verdict, of the topics of which nothing was delivered.
+/// One row per topic, sender and verdict, for topics of which nothing was delivered.
 constexpr const char* kUnheard =
     "WITH ends AS MATERIALIZED (SELECT * FROM message_ends)"
     " SELECT e.topic, a.name, e.verdict, SUM(e.count) FROM ends e"

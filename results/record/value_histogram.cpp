@@ -25,10 +25,10 @@ void ValueHistogram::choose_range() {
   const auto [least, greatest] = std::minmax_element(kept_.begin(), kept_.end());
   const auto bins = static_cast<double>(counts_.size());
   low_ = *least;
-  // A little more, so that the greatest is below the end.
+  // Slightly wider, so that the greatest value is below the upper bound.
   width_ = (*greatest - *least) / bins * (1 + 1e-9);
   const double finest = std::max(std::abs(*least), std::abs(*greatest)) * 1e-9;
-  if (width_ <= finest) {  // one value, or as good as one
+  if (width_ <= finest) {  // all values are equal, or nearly so
     width_ = finest > 0 ? 2 * finest : 1 / bins;
   }
   has_range_ = true;

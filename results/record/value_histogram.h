@@ -10,22 +10,23 @@
 
 namespace results::record {
 
-/// How often a value was where, in bins of one width.
+/// A histogram with bins of equal width.
 class ValueHistogram {
  public:
-  /// Numbers after which an automatic range is chosen. Until then they are kept.
+  /// Number of values after which an automatic range is chosen. Until then the values are kept.
   static constexpr std::size_t kKept = 1000;
 
   /// @param bins  at least 2; with an automatic range rounded up to an even number.
-  /// @param range  from, and below; values outside are counted as below and above it. None:
-  ///   automatic: that of the first kKept values; later ones outside double the width of the bins,
-  ///   two becoming one, until they are inside.
+  /// @param range  lower bound (inclusive) and upper bound (exclusive); values outside are counted
+  /// as below or above. None: automatic, the range of the first kKept values; for a later value
+  /// outside, pairs of bins are joined, so that the width doubles, until the value is inside.
   ValueHistogram(std::size_t bins, std::optional<std::pair<double, double>> range);
 
   /// @param value  finite.
   void add(double value);
 
-  /// By lower bound; below and above the range only if there are any.
+  /// Sorted by lower bound. The bins below and above the range are there only if they are not
+  /// empty.
   std::vector<Bins::Bin> bins();
 
  private:

@@ -8,11 +8,11 @@
 
 namespace results::record {
 
-/// What there is to say of a value that was looked at again and again, in one pass (B. P. Welford,
-/// "Note on a Method for Calculating Corrected Sums of Squares and Products", Technometrics, 1962).
+/// Statistics of a value that is observed repeatedly, in one pass (B. P. Welford, "Note on a Method
+/// for Calculating Corrected Sums of Squares and Products", Technometrics, 1962).
 class ValueSums {
  public:
-  /// @param value  finite. @param at  if before that of the last call, as of that.
+  /// @param value  finite. @param at  if it is before the last call's time, that time is used.
   void add(hal::Time at, double value) {
     if (count_ == 0) {
       least_ = greatest_ = value;
@@ -33,7 +33,7 @@ class ValueSums {
 
   std::uint64_t count() const { return count_; }
   double mean() const { return mean_; }
-  /// Of the sample: with count() - 1; 0 for one value.
+  /// Standard deviation of the sample, with count() - 1 in the denominator; 0 for one value.
   double deviation() const {
     return count_ < 2 ? 0 : std::sqrt(squares_ / static_cast<double>(count_ - 1));
   }
@@ -41,7 +41,8 @@ class ValueSums {
   double greatest() const { return greatest_; }
   double sum() const { return sum_; }
   double last() const { return last_; }
-  /// Each value counted by how long it was the last one, until `end`; over no time, the last one.
+  /// Mean weighted by the time for which each value was the latest, until `end`; the last value if
+  /// no time has passed.
   double mean_over_time(hal::Time end) const {
     const double time = hal::to_seconds(end - first_at_);
     if (time <= 0) return last_;
@@ -51,7 +52,7 @@ class ValueSums {
  private:
   std::uint64_t count_ = 0;
   double mean_ = 0, squares_ = 0, sum_ = 0, least_ = 0, greatest_ = 0, last_ = 0;
-  double held_ = 0;  ///< Value times s.
+  double held_ = 0;  ///< Integral of the value over time [unit s].
   hal::Time first_at_{}, last_at_{};
 };
 

@@ -101,9 +101,9 @@ std::string quantities_text(const Experiment& experiment) {
                    of->count > 1 ? significant(of->sd) : "-",
                    significant(*statistics::quantile(sample.values, 0.5))});
   }
-  return "Quantities of a run: mean over the runs that have it, its 95 % interval by Student's t, "
-         "of "
-         "shares, counts and\nwhat is never negative by the score (docs/statistics.md)\n" +
+  return "Quantities of a run: mean over the runs that have the quantity, with its 95 % interval:\n"
+         "Student's t, or the score interval for shares, counts and quantities that are never "
+         "negative\n(docs/statistics.md)\n" +
          table.text();
 }
 

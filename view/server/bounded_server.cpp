@@ -17,7 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Whether a socket is ready before a deadline; true of one that has been cut, too.
+/// Waits until a socket is ready. @return false at the deadline; true also if the connection was
+/// cut.
 bool waits_for(int socket, short events, Clock::time_point deadline) {
   while (true) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
@@ -31,7 +32,7 @@ bool waits_for(int socket, short events, Clock::time_point deadline) {
 
 }  // namespace
 
-/// What a connection is entered as, until its socket is closed.
+/// An entry in connections_ that lasts until its socket is closed.
 class BoundedServer::Place {
  public:
   Place(BoundedServer& server, socket_t socket) : server_(server), socket_(socket) {
@@ -42,7 +43,7 @@ class BoundedServer::Place {
   }
   ~Place() {
     const std::lock_guard lock(server_.mutex_);
-    server_.connections_.erase(socket_);  // before another one has its number
+    server_.connections_.erase(socket_);  // before the number is used again
     ::shutdown(socket_, SHUT_RDWR);
     ::close(socket_);
   }
@@ -59,7 +60,7 @@ class BoundedServer::Place {
   socket_t socket_;
 };
 
-/// A socket as the library reads and writes it, within the limits.
+/// The socket as the library reads and writes it, with the limits of the server.
 class BoundedServer::Stream final : public httplib::Stream {
  public:
   Stream(socket_t socket, const Limits& limits, Place& place)
@@ -87,7 +88,7 @@ class BoundedServer::Stream final : public httplib::Stream {
     return ::send(socket_, from, size, MSG_NOSIGNAL | MSG_DONTWAIT);
   }
 
-  // Nothing here asks for them: whoever connects is of this host.
+  // The server does not use them: all clients are on this host.
   void get_remote_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
   void get_local_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
   socket_t socket() const override { return socket_; }
@@ -118,7 +119,7 @@ class BoundedServer::Stream final : public httplib::Stream {
   std::size_t at_ = 0, end_ = 0, read_ = 0;
 };
 
-/// A thread for each connection, as many as there are places.
+/// Runs a thread for each connection, up to the number of places.
 class BoundedServer::Threads final : public httplib::TaskQueue {
  public:
   explicit Threads(BoundedServer& server) : server_(server) {}
@@ -132,7 +133,7 @@ class BoundedServer::Threads final : public httplib::TaskQueue {
     try {
       std::thread(serve_and_leave).detach();
     } catch (const std::system_error&) {
-      serve_and_leave();  // the system has no thread to give
+      serve_and_leave();  // the system cannot create a thread
     }
   }
 
@@ -182,7 +183,7 @@ void BoundedServer::wait_for_place() {
 }
 
 void BoundedServer::leave() {
-  // Notified under the lock: who waits for the last one destroys all this.
+  // Notified under the lock: the thread that waits for the last one destroys this object.
   const std::lock_guard lock(mutex_);
   --taken_;
   changed_.notify_all();

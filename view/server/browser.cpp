@@ -10,7 +10,7 @@
 namespace view::server {
 namespace {
 
-/// @return its path; empty: it could not be written.
+/// Writes a file that redirects to the address. @return its path; empty if it cannot be written.
 std::string file_that_leads_to(const std::string& address) {
   std::error_code error;
   const auto folder = std::filesystem::temp_directory_path(error);
@@ -33,7 +33,7 @@ std::string file_that_leads_to(const std::string& address) {
 void start(const std::string& what) {
   const pid_t child = ::fork();
   if (child == 0) {
-    // Once more: the browser is nobody's child, and what it says is not ours.
+    // Forks again, so that the browser is not our child, and discards its output.
     if (::fork() != 0) ::_exit(0);
     ::setsid();
     if (::freopen("/dev/null", "r+", stdout) == nullptr) ::_exit(1);

@@ -10,7 +10,7 @@ namespace {
 
 using results::record::Statement;
 
-/// "0.5 - 1e-3" as [0.5,null,0.001].
+/// Converts "0.5 - 1e-3" to [0.5,null,0.001].
 Json values_of(std::string_view reading) {
   JsonArray values;
   while (!reading.empty()) {
@@ -28,15 +28,15 @@ Json values_of(std::string_view reading) {
   return values.json();
 }
 
-/// A table of changes, and what a page is told of it.
+/// A table of changes, and how its rows are sent to the page.
 struct Changes {
   std::string table;
   std::string select;  ///< Its columns.
   Columns columns;
-  void (*add)(Columns& to, const Statement& row);  ///< A row of these.
+  void (*add)(Columns& to, const Statement& row);  ///< Adds a row of these columns.
 };
 
-/// A tile of changes: what was the last before, and all in the span.
+/// A tile of changes: the last change of each thing before the span, and all changes in the span.
 std::string tile_of_changes(Record& record, LastRows& last, const Span& span,
                             const Changes& changes) {
   const auto& [table, select, empty, add] = changes;

@@ -6,11 +6,11 @@
 namespace view::server {
 namespace {
 
-/// [["x","m"],["y","m"],["yaw","rad"]]; empty: they have no names of their own.
+/// [["x","m"],["y","m"],["yaw","rad"]]; empty if the values have no names.
 Json names_json(const hal::Channel& channel) {
   JsonArray names;
   for (const auto& [name, unit] : sim::scenario::values_of(channel)) {
-    if (name == "0") break;  // numbered
+    if (name == "0") break;  // numbered, not named
     names.add(JsonArray().add(name).add(unit).json());
   }
   return names.json();

@@ -5,11 +5,11 @@
 
 namespace view::server {
 
-/// What an agent can read, from the file that describes it:
-/// [{name, kind, unit, values, x, y, z, heading, first, step, low, high}]. `values`: names of the
-/// values of a reading with their units, if they have names. x, y, z [m] and heading [rad] of the
-/// sensor, body frame; `first` and `step` [rad]: of the rays of a scan, from its heading on; of a
-/// sonar the edges of its cone. low, high: what it can measure, in `unit`; 0, 0: not said.
+/// The channels that an agent can read, from its robot description: [{name, kind, unit, values, x,
+/// y, z, heading, first, step, low, high}]. `values`: names and units of the values of a reading,
+/// if they have names. x, y, z [m] and heading [rad]: pose of the sensor in the body frame. `first`
+/// and `step` [rad]: for a scan, angles of the rays relative to the heading; for a sonar, the edges
+/// of its cone. low, high: measuring range in `unit`; 0, 0: not specified.
 Json channels_json(const sim::agents::AgentConfig& agent);
 
 }  // namespace view::server

@@ -26,8 +26,7 @@ struct Named {
   Value value;
 };
 
-/// The members of a command, each asked for once by what needs it. What is wrong is noted: the
-/// first mistake counts.
+/// The members of a command; each is read once. The first mistake is kept as the message.
 class Members {
  public:
   explicit Members(const json& body) : body_(body) {}
@@ -73,7 +72,7 @@ class Members {
     return value.value_or(Value{});
   }
 
-  /// The value whose name a member is; the first one if it is a mistake.
+  /// The value that a member names. The first value if the name is wrong, which is noted.
   template <class Value, std::size_t kCount>
   Value one_of(const char* key, const std::array<Named<Value>, kCount>& all) {
     const std::string name = needed(key, text(key));

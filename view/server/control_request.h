@@ -6,7 +6,7 @@
 
 namespace view::server {
 
-/// What the body of POST /api/control asks for. Errors: kInvalidArgument, with what is wrong.
+/// Parses the body of POST /api/control. Errors: kInvalidArgument, with a message.
 hal::Result<Command> command_in(std::string_view body);
 
 }  // namespace view::server

@@ -14,15 +14,15 @@
 namespace view::server {
 namespace {
 
-/// A tile that is wanted.
+/// A tile that is to be exported.
 struct Wanted {
   std::string prefix;  ///< "/api/runs/0/frames"
   Span span;
-  std::int64_t until = 0;  ///< ns: there is nothing behind it.
+  std::int64_t until = 0;  ///< ns: there is nothing after it.
 
   std::string address() const { return fmt::format("{}/{}/{}", prefix, span.level, span.index); }
 
-  /// Those below it that something can be in.
+  /// Adds the tiles below it that can have rows.
   void add_children(std::vector<Wanted>& to) const {
     if (span.level == Span::kFinest) return;
     for (std::int64_t i = 0; i < 8; ++i) {
@@ -38,12 +38,12 @@ Span whole(std::int64_t until) {
   return {level, 0};
 }
 
-/// Answers by address, as JSON.
+/// Answers as JSON, by address.
 class Answers {
  public:
   Answers(const ViewApi& api, std::size_t most) : api_(api), left_(most) {}
 
-  /// @return the answer; none: there was no room for it.
+  /// @return the answer; none if it exceeds the limit.
   std::optional<std::string> add(const std::string& address) {
     std::string answer = api_.get(address).value_or("null");
     constexpr std::size_t kAround = 6;  // quotes, colon, comma
@@ -58,8 +58,8 @@ class Answers {
     if (!add(address)) throw std::runtime_error("view: not even the worlds fit into the page");
   }
 
-  /// All or none of them.
-  /// @return those below that are needed as well; none: there was no room.
+  /// Adds all of the tiles or none.
+  /// @return the tiles below that are needed as well; none if the limit was exceeded.
   std::optional<std::vector<Wanted>> add_all(const std::vector<Wanted>& tiles) {
     const Answers before = *this;
     std::vector<Wanted> below;
@@ -82,7 +82,7 @@ class Answers {
   JsonObject answers_;
 };
 
-/// What is not a tile; and the tiles that hold whole runs.
+/// Adds everything that is not a tile. @return the tiles that hold whole runs.
 std::vector<Wanted> add_worlds(const ViewApi& api, Answers& answers) {
   std::vector<Wanted> tiles;
   answers.need("/api/view");
@@ -101,7 +101,7 @@ std::vector<Wanted> add_worlds(const ViewApi& api, Answers& answers) {
   return tiles;
 }
 
-/// Tiles of the same level, coarsest first: runs differ in length.
+/// Takes the tiles of the coarsest level; runs can differ in length.
 std::vector<Wanted> take_coarsest(std::vector<Wanted>& tiles) {
   int level = Span::kFinest;
   for (const Wanted& tile : tiles) level = std::max(level, tile.span.level);
@@ -116,7 +116,8 @@ std::vector<Wanted> take_coarsest(std::vector<Wanted>& tiles) {
 }  // namespace
 
 ExportedPage export_page(const ViewApi& api, const std::string& page, std::size_t most) {
-  // Before the first script, which needs them; behind the character set, which must stand early.
+  // In front of the first script, which needs the answers, but after the character set, which must
+  // be near the begin.
   const std::size_t place = page.find("<script");
   if (place == std::string::npos) throw std::runtime_error("view: the page has no script");
   Answers answers(api, most);

@@ -7,20 +7,21 @@
 
 namespace view::server {
 
-/// A page that needs no server, and what was left out of it.
+/// A page that needs no server, and the detail that was left out of it.
 struct ExportedPage {
   std::string html;
-  /// ns: spans below this length are shown as summaries where there is much in them; 0: all is
-  /// there.
+  /// ns: time spans shorter than this are shown only as summaries where they have many rows; 0:
+  /// nothing was left out.
   std::int64_t finest = 0;
 };
 
-/// The page with the answers that it would ask for: of each run the world, the totals and routes of
-/// its agents and, kind by kind, the tiles from the one that holds the whole run down to those that
-/// have all rows; coarse ones first, as far as there is room.
-/// @param page  as bundled. @param most  bytes of answers.
-/// @throws std::runtime_error  the page has no script before which they could stand, or not even
-///   the coarsest answers have room.
+/// Exports the page with the answers that it would request from a server. For each run these are
+/// the world, the totals and routes of its agents and, for each kind, the tiles from the one that
+/// holds the whole run down to those that have all rows. Coarse tiles come first, until the limit
+/// is reached.
+/// @param page  as bundled. @param most  limit for the answers [byte].
+/// @throws std::runtime_error  the page has no script in front of which the answers can be put, or
+/// even the coarsest answers exceed the limit.
 ExportedPage export_page(const ViewApi& api, const std::string& page, std::size_t most);
 
 }  // namespace view::server

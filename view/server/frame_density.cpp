@@ -16,17 +16,18 @@ using results::record::Statement;
 
 constexpr int kPartLevel = 10;                                       // 1.07 s
 constexpr std::int64_t kPart = std::int64_t{1} << (3 * kPartLevel);  // ns
-constexpr std::int64_t kParts = 64;                                  // counted at a time
-/// A frame is over so long after its begin, everywhere: the longest at 1 Mbit/s takes 20 ms.
+constexpr std::int64_t kParts = 64;  // counted at a time by advance()
+/// Upper limit of the time from a frame's begin to its end at all radios: the longest frame at 1
+/// Mbit/s takes 20 ms.
 constexpr std::int64_t kLongestFrame = 100'000'000;  // ns
-constexpr std::int64_t kFirstGroup = 0xfffe;         // destinations that are several agents
+constexpr std::int64_t kFirstGroup = 0xfffe;         // first group address
 
 struct Begun {
   std::int64_t part;
   std::int64_t receiver;
 };
 
-/// Into parts of one width from a time on; those that begin before another.
+/// Counts frames that begin in [from, to), in parts of equal width from `from` on.
 FrameParts count_frames(Record& record, std::int64_t from, std::int64_t to, std::int64_t width) {
   FrameParts found;
   std::unordered_map<std::int64_t, Begun> begun;
@@ -56,7 +57,7 @@ FrameParts count_frames(Record& record, std::int64_t from, std::int64_t to, std:
   return found;
 }
 
-/// When the first frame began that did not begin before a time; none: there is none.
+/// The begin of the first frame that begins at or after a time; none if there is none.
 std::optional<std::int64_t> next_begin(Record& record, std::int64_t from) {
   const Rows rest = rows_between(record, "frames", from, std::numeric_limits<std::int64_t>::max());
   Statement first =
@@ -66,7 +67,7 @@ std::optional<std::int64_t> next_begin(Record& record, std::int64_t from) {
   return first.integer(0);
 }
 
-/// Adds parts of a width to the 64 bins of a span. @param begin  of part 0, ns
+/// Adds parts of equal width up to the 64 bins of a span. @param begin  of part 0, ns.
 std::vector<std::int64_t> bins_of(const FrameParts::Counts& parts, std::int64_t begin,
                                   std::int64_t width, const Span& span) {
   std::vector<std::int64_t> bins(kBins);
@@ -77,7 +78,7 @@ std::vector<std::int64_t> bins_of(const FrameParts::Counts& parts, std::int64_t 
   return bins;
 }
 
-/// The same of all.
+/// Adds all classes and the losses.
 void add(FrameBins& to, const FrameParts& parts, std::int64_t begin, std::int64_t width,
          const Span& span) {
   const auto add_to = [&](std::vector<std::int64_t>& sum, const FrameParts::Counts& counts) {
@@ -96,11 +97,11 @@ void append(FrameParts::Counts& to, std::int64_t before, const FrameParts::Count
 }  // namespace
 
 bool FrameDensity::advance(Record& record) {
-  // Of the latest frames of a run that goes on it is not known how they end.
+  // While a run goes on, the ends of its latest frames are not known yet.
   const std::int64_t known =
       record.is_growing() ? record.until() - kLongestFrame : record.until() + kPart;
   if (known - counted_ < kPart) return false;
-  // Where nothing was sent there is nothing to count.
+  // Skips the time without frames.
   const std::int64_t next = std::min(next_begin(record, counted_).value_or(known), known);
   counted_ = std::max(counted_, next / kPart * kPart);
   const std::int64_t parts = std::min((known - counted_) / kPart, kParts);
@@ -124,7 +125,7 @@ FrameBins FrameDensity::bins(Record& record, const Span& span) {
   }
   add(found, parts_, 0, kPart, span);
   if (counted_ >= span.to() || record.until() < counted_) return found;
-  // What is not known for good yet: less than two parts.
+  // The rest, which is not final yet: less than two parts.
   const FrameParts rest = count_frames(record, counted_, record.until() + 1, kPart);
   add(found, rest, counted_, kPart, span);
   return found;

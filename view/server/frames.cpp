@@ -16,11 +16,12 @@ namespace {
 
 using results::record::Statement;
 
-/// A frame's number is its transmitter times 2^48 and its own count.
+/// A frame's number is its transmitter times 2^48 plus the transmitter's own count.
 constexpr std::int64_t kCountOfFrame = (std::int64_t{1} << 48) - 1;
-/// Radio waves need less from one end of any field to the other.
+/// Upper limit of the propagation delay across any field.
 constexpr std::int64_t kLongestWay = 1'000'000;  // ns
-/// A tile with so many ends is too full as well: where hundreds hear each frame.
+/// A tile with more ends than this is sent as a summary as well: hundreds of radios may sense each
+/// frame.
 constexpr std::int64_t kMostEnds = 100'000;
 
 std::vector<std::string_view> verdict_names() {
@@ -66,7 +67,7 @@ std::vector<ListedFrame> frames_in(Record& record, const Rows& rows) {
   return frames;
 }
 
-/// How they ended at the radios, in order of time.
+/// Adds how the frames ended at the radios, in order of time.
 void add_ends(Record& record, std::vector<ListedFrame>& frames) {
   if (frames.empty()) return;
   std::unordered_map<std::int64_t, ListedFrame*> by_id;

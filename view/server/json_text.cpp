@@ -9,17 +9,17 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Whether a UTF-8 character may begin with these two bytes (RFC 3629, clause 4).
+/// Whether a UTF-8 character can begin with these two bytes (RFC 3629, clause 4).
 bool may_follow(unsigned first, unsigned second) {
-  // Not: overlong forms, surrogates, and what is beyond U+10FFFF.
+  // Excludes overlong forms, surrogates, and code points above U+10FFFF.
   if (first == 0xE0) return second >= 0xA0;
   if (first == 0xED) return second <= 0x9F;
   if (first == 0xF0) return second >= 0x90;
   return first != 0xF4 || second <= 0x8F;
 }
 
-/// How many bytes the UTF-8 character at the begin of the text has (RFC 3629, clause 4); 0: it is
-/// none.
+/// Length in bytes of the UTF-8 character at the begin of the text (RFC 3629, clause 4); 0 if there
+/// is no valid one.
 std::size_t character_at(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -70,7 +70,7 @@ void append_json(std::string& to, double number) {
     to += "null";
     return;
   }
-  std::array<char, 32> digits{};  // of the shortest form that reads back equal
+  std::array<char, 32> digits{};  // enough for the shortest form that reads back equal
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
   to.append(digits.data(), end.ptr);
 }

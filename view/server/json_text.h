@@ -6,20 +6,20 @@
 #include <string_view>
 #include <type_traits>
 
-// Not nlohmann-json, which the rest of the project uses: tiles, for which the page asks as fast as
-// it can scroll, would take 2.0 (frames) to 2.6 (poses) times the user time
-// (tests/bench/json_bench.cpp). The little else that the view tells is written by the same means.
+// Not nlohmann-json, which the rest of the project uses: it would take 2.0 (frames) to 2.6 (poses)
+// times the user time for tiles (tests/bench/json_bench.cpp), and the page requests tiles as fast
+// as it can scroll. The other answers of the view are written in the same way, for consistency.
 
 namespace view::server {
 
-/// JSON that is already text: goes in as it is.
+/// Text that is JSON already: it is appended as it is.
 struct Json {
   std::string text;
 };
 
-/// Appends one value to JSON text. Strings are valid UTF-8 afterwards, whatever they were, and hold
-/// no '<': what is inlined in a page cannot end its script. Numbers read back to the same bits;
-/// what is not finite is null.
+/// Appends one value to JSON text. Strings become valid UTF-8, whatever they were, and contain no
+/// '<', so that text inlined in a page cannot end its script. Numbers read back to the same bits;
+/// numbers that are not finite become null.
 void append_json(std::string& to, std::string_view text);
 void append_json(std::string& to, double number);
 void append_json(std::string& to, std::int64_t number);
@@ -45,7 +45,7 @@ void append_json(std::string& to, const std::optional<T>& value) {
   value ? append_json(to, *value) : append_json(to, std::nullopt);
 }
 
-/// A JSON object or array that grows.
+/// Builds a JSON object.
 ///
 ///   JsonObject agent;
 ///   agent.add("name", "r0").add("x", 1.5);
@@ -81,7 +81,7 @@ class JsonArray {
   std::string text_ = "[";
 };
 
-/// [1,2,3] of any range of values.
+/// A JSON array of any range of values: [1,2,3].
 template <class Range>
 Json json_array(const Range& values) {
   JsonArray array;

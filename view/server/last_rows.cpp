@@ -35,7 +35,8 @@ bool LastRows::advance(Record& record) {
   while (rows.next()) {
     const std::int64_t at = rows.integer(1), part = at >> kBitsOfPart;
     if (at < latest_) rows.refuse(1, kOutOfOrder);
-    // Only by the first row of a part: the others of it would be taken for rows before it.
+    // Only at the first row of a part: otherwise rows of the same part would count as rows before
+    // it.
     if (part > latest_ >> kBitsOfPart && since_ >= last_.size()) {
       kept_.push_back({part, read_, last_});
       since_ = 0;

@@ -13,9 +13,9 @@ namespace view::server {
 namespace {
 
 constexpr const char* kLogFile = "run.log";
-constexpr std::int64_t kLongestEntry = 8192;  // bytes of one that are shown
+constexpr std::int64_t kLongestEntry = 8192;  // bytes of an entry that are shown
 
-/// "[  12.345000000] info r0: text": of what time a line is; none: it goes on with the one before.
+/// The time of a line "[  12.345000000] info r0: text"; none if it continues the line before.
 std::optional<std::int64_t> time_of(std::string_view line) {
   constexpr std::size_t kDecimals = 9;
   const std::size_t dot = line.find('.');
@@ -33,7 +33,8 @@ std::optional<std::int64_t> time_of(std::string_view line) {
   return seconds * kNanosecondsPerSecond + ns;
 }
 
-/// Takes what is before a separator away, and the separator; all if it is not there.
+/// Removes and returns the text before a separator, and removes the separator; the whole text if
+/// there is no separator.
 std::string_view take_until(std::string_view& text, std::string_view separator) {
   const std::size_t end = std::min(text.find(separator), text.size());
   const std::string_view taken = text.substr(0, end);
@@ -53,17 +54,17 @@ void add_entry(Columns& columns, std::int64_t at, std::string_view entry) {
 void LogLines::read(const Record& record) {
   std::ifstream file(record.folder() / kLogFile, std::ios::binary);
   file.seekg(0, std::ios::end);
-  if (!file || file.tellg() < read_) {  // another run's
+  if (!file || file.tellg() < read_) {  // the file is that of another run
     lines_.clear();
     read_ = 0;
   }
   if (!file) return;
   file.seekg(read_);
   std::string line;
-  while (std::getline(file, line) && !file.eof()) {  // an unfinished one is read the next time
+  while (std::getline(file, line) && !file.eof()) {  // an unfinished line is read the next time
     const auto size = static_cast<std::int64_t>(line.size());
     if (const auto at = time_of(line)) {
-      // Lines of several threads may change places.
+      // Lines of several threads can be out of order.
       const std::int64_t before = lines_.empty() ? 0 : lines_.back().at;
       lines_.push_back({std::max(*at, before), read_, size});
     } else if (!lines_.empty()) {

@@ -9,7 +9,7 @@
 
 namespace view::server {
 
-/// The lines of run.log by time. It may be long: of each line only its place is kept.
+/// The lines of run.log by time. The file may be long: only the position of each line is kept.
 class LogLines {
  public:
   std::string tile(const Record& record, const Span& span);
@@ -23,7 +23,7 @@ class LogLines {
   void read(const Record& record);
 
   std::vector<Line> lines_;
-  std::int64_t read_ = 0;  ///< Bytes, to the end of a line.
+  std::int64_t read_ = 0;  ///< Bytes, up to the end of a line.
 };
 
 }  // namespace view::server

@@ -13,7 +13,7 @@ std::size_t MessageIndex::number_of(const std::string& topic) {
 const std::vector<MessageIndex::Sent>& MessageIndex::all(Record& record) {
   if (until_ == record.until()) return sent_;
   const auto old = static_cast<std::ptrdiff_t>(sent_.size());
-  // Each sender numbers its messages upwards.
+  // Each sender numbers its messages in ascending order.
   auto rows = record.query("SELECT sent_ns, id, topic FROM messages WHERE sender = ? AND id > ?");
   for (const std::int64_t sender : record.agents()) {
     std::int64_t& last = last_.try_emplace(sender, -1).first->second;

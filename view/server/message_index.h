@@ -9,7 +9,7 @@
 
 namespace view::server {
 
-/// The listed messages by the time at which they were sent: the record has them by sender.
+/// The listed messages sorted by the time at which they were sent; the record has them by sender.
 class MessageIndex {
  public:
   struct Sent {
@@ -18,7 +18,7 @@ class MessageIndex {
     auto operator<=>(const Sent&) const = default;
   };
 
-  /// All that are there now, by time. Reads what is new since the last time.
+  /// All messages that are in the record now, by time. Reads only what is new since the last call.
   const std::vector<Sent>& all(Record& record);
 
   const std::vector<std::string>& topics() const { return topics_; }
@@ -28,8 +28,8 @@ class MessageIndex {
 
   std::vector<Sent> sent_;
   std::vector<std::string> topics_;
-  std::map<std::int64_t, std::int64_t> last_;  ///< Number of the latest one of each sender.
-  std::int64_t until_ = -1;                    ///< ns, of the record when it was read.
+  std::map<std::int64_t, std::int64_t> last_;  ///< Number of the latest message of each sender.
+  std::int64_t until_ = -1;                    ///< ns: Record::until() at the last read.
 };
 
 }  // namespace view::server

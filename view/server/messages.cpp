@@ -13,7 +13,7 @@ namespace {
 using results::record::Statement;
 using Sent = MessageIndex::Sent;
 
-/// Messages that were sent so long before a tile may still be on their way in it.
+/// A message sent up to this time before a tile can still be on its way in it.
 constexpr std::int64_t kOnTheirWay = 60'000'000'000;  // ns
 
 using Range = std::pair<std::vector<Sent>::const_iterator, std::vector<Sent>::const_iterator>;
@@ -89,7 +89,7 @@ std::string messages_tile(Record& record, MessageIndex& index, const Span& span)
                      {{"bins", bins_by_topic(index, inside, span)}});
   }
   const Range before = sent_between(all, span.from() - kOnTheirWay, span.from());
-  // The latest of them, if they are very many.
+  // Only the latest of them, if there are very many.
   const auto count = std::min<std::ptrdiff_t>(before.second - before.first, kMostRows);
   for (auto sent = before.second - count; sent != inside.second; ++sent) rows.add(*sent);
   return tile_text(record, span, true, rows.columns);

@@ -7,8 +7,8 @@
 
 namespace view::server {
 
-/// A whole number without a sign, as addresses have it: none of "", "01", "1x" and what does not
-/// fit.
+/// Parses a whole number without a sign, as it occurs in addresses. None for "", "01", "1x", and
+/// numbers that do not fit.
 inline std::optional<std::int64_t> plain_integer(std::string_view text) {
   if (text.empty() || (text.size() > 1 && text.front() == '0') || text.front() == '-') return {};
   std::int64_t number = 0;

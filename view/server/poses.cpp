@@ -14,7 +14,7 @@ struct PoseRow {
   double x, y, theta;
 };
 
-/// Rows of poses of one agent after another.
+/// Collects rows of poses, one agent after the other.
 class PoseRows {
  public:
   explicit PoseRows(Record& record)
@@ -33,13 +33,13 @@ class PoseRows {
     return found;
   }
 
-  /// At most so many from a time on, before another.
+  /// Adds at most `most` rows with from <= at < to.
   void add(std::int64_t agent, std::int64_t from, std::int64_t to, std::int64_t most) {
     span_.bind_all(agent, from, to, most);
     while (span_.next()) take(span_);
   }
 
-  /// Where it was before: its last row, or its place at the start.
+  /// Adds the agent's last row before `from`, or else its start pose.
   void add_before(std::int64_t agent, std::int64_t from) {
     const std::size_t had = rows.size();
     before_.bind_all(agent, from);
@@ -82,7 +82,7 @@ std::string poses_tile(Record& record, const Span& span) {
       poses.add(agent, from, from + part, 1);
     }
     if (!summary) poses.add(agent, span.from(), span.to(), kMostPoses);
-    // The first row of all may be of the start itself.
+    // The first row can have the time of the start pose itself.
     const auto& rows = poses.rows;
     if (rows.size() > first + 1 && rows[first].at == rows[first + 1].at) {
       poses.rows.erase(poses.rows.begin() + static_cast<std::ptrdiff_t>(first));

@@ -8,11 +8,12 @@
 
 namespace view::server {
 
-/// How far an agent's frames can be received, m, walls and fading apart; none: without limit.
+/// Distance at which an agent's frames can still be received [m], without walls and fading. None:
+/// unlimited.
 std::optional<double> radio_range(const sim::agents::SimulationConfig& config,
                                   const sim::agents::AgentConfig& agent);
 
-/// Pairs of addresses that hear each other where they stand at the start, as far as ranges tell.
+/// Pairs of addresses of agents that are in range of each other at their start poses.
 std::vector<std::pair<std::int64_t, std::int64_t>> links_at_start(
     const sim::agents::SimulationConfig& config);
 

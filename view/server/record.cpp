@@ -32,8 +32,8 @@ void Record::learn() {
   while (agents.next()) agents_.push_back(agents.integer(0));
 }
 
-// Rows are written in order of time and committed together: what is before the latest one that can
-// be read is there.
+// Rows are written in order of time and committed together: everything before the latest row that
+// can be read has been committed.
 std::int64_t Record::latest_row() {
   std::int64_t latest = 0;
   const auto look = [&](const std::string& sql) {
@@ -44,7 +44,7 @@ std::int64_t Record::latest_row() {
        {"frame_ends", "queues", "readings", "states", "routes", "contacts", "recorded", "events"}) {
     look(fmt::format("SELECT at_ns FROM {} ORDER BY rowid DESC LIMIT 1", table));
   }
-  // By each one's end of the primary key: a look at the whole table would grow with the run.
+  // By the primary key of each agent: a scan of the whole table would take longer and longer.
   Statement pose = query("SELECT MAX(at_ns) FROM poses WHERE agent = ?");
   for (const std::int64_t agent : agents_) {
     pose.bind_all(agent);

@@ -23,27 +23,28 @@ class Record {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Before any of what follows. @throws std::runtime_error  as RunReader
-  /// @return false: another run than the last time is in the folder; nothing known of that holds.
+  /// Call before everything that follows. @throws std::runtime_error  as RunReader.
+  /// @return false if the folder has another run than at the last call, so that nothing known about
+  /// that one is valid.
   bool open();
 
-  /// Leaves the file to its writer, who cannot end its write-ahead log while somebody reads it.
-  /// Statements must be gone.
+  /// Closes the file for its writer, which cannot finish its write-ahead log while it is being
+  /// read. There must be no statements.
   void close_if_growing();
 
   results::record::Statement query(std::string_view sql) { return reader_->query(sql); }
 
-  /// Of the table run; "" or none if the key is not there.
+  /// Values of the table run; "" or none if the key is not there.
   std::string value(std::string_view key) { return reader_->value(key); }
   std::optional<std::int64_t> integer(std::string_view key) { return reader_->integer(key); }
   std::optional<double> real(std::string_view key) { return reader_->real(key); }
 
   bool is_growing() const { return is_growing_; }
 
-  /// ns: the end of the run; while it goes on, up to where everything is written.
+  /// ns: the end of the run; while it goes on, the time up to which the record is complete.
   std::int64_t until() const { return until_; }
 
-  /// Addresses, ascending.
+  /// Addresses in ascending order.
   const std::vector<std::int64_t>& agents() const { return agents_; }
 
  private:
@@ -53,7 +54,7 @@ class Record {
   std::filesystem::path folder_;
   std::optional<results::record::RunReader> reader_;
   std::vector<std::int64_t> agents_;
-  std::optional<std::string> run_id_;  ///< None: it was never open.
+  std::optional<std::string> run_id_;  ///< None: it has never been open.
   bool is_growing_ = false;
   std::int64_t until_ = 0;
 };

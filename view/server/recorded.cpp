@@ -21,7 +21,7 @@ std::string word(const RecordSettings& settings, const std::string& key) {
   return found == settings.words.end() ? "none" : found->second;
 }
 
-/// As resolved scenarios write times.
+/// Parses a time as it is written in a resolved scenario.
 hal::Duration duration_of(const std::string& text) {
   const auto seconds = hal::files::config::parse_value(text, "s", 0, kLongestPosePeriod);
   if (seconds) return hal::from_seconds(*seconds);

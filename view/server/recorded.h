@@ -11,14 +11,14 @@
 
 namespace view::server {
 
-/// What goes into the results, as the scenario says.
+/// What is recorded in the results, according to the scenario.
 struct RecordSettings {
   /// Keys of `record:` and their values as in a file: "frames" -> "all".
   std::map<std::string, std::string> words;
-  std::optional<hal::Duration> pose_period{};  ///< None: the record does not tell.
+  std::optional<hal::Duration> pose_period{};  ///< None: the record does not have it.
 };
 
-/// @throws std::runtime_error  the record tells a pose_period that is none.
+/// @throws std::runtime_error  the record's pose_period is invalid.
 RecordSettings record_settings(Record& record);
 RecordSettings record_settings(const sim::scenario::Scenario& scenario);
 

@@ -23,7 +23,8 @@ std::optional<Refusal> refusal_of_stranger(const RequestHead& request,
   if (is_command && !token) {
     return Refusal{403, "commands are taken by `baraka run … --view` only"};
   }
-  // The page itself says nothing of the run, and a browser cannot send a token with its address.
+  // The page itself has no data of the run, and a browser cannot send a token when it opens an
+  // address.
   if (!token || request.path == kPagePath) return std::nullopt;
   if (!equal_in_constant_time(request.token, *token)) {
     return Refusal{403, "the token is not the one of the address that was printed"};
@@ -42,7 +43,8 @@ std::optional<Refusal> refusal_of(const RequestHead& request, int port,
   if (request.origins > 1 || (request.origins == 1 && request.origin != "http://" + request.host)) {
     return Refusal{403, "pages of other servers may not ask"};
   }
-  // A link of another page may lead to this one; it may not use the answers as a script or picture.
+  // A link in another page may lead to this page; that page may not load the answers as scripts or
+  // images.
   const bool is_foreign = request.fetch_site == "cross-site" || request.fetch_site == "same-site";
   if (is_foreign && request.path != kPagePath)
     return Refusal{403, "pages of other servers may not ask"};

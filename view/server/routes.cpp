@@ -13,16 +13,17 @@ namespace {
 
 using results::record::Statement;
 
-/// What is in a routing table of one way to a destination.
+/// The entry of a routing table for one destination and next hop.
 struct RouteEntry {
   std::optional<std::int64_t> hops, delay;
   std::optional<double> min_snr, energy, weight;
 };
 
-/// The ways to one destination for one topic, by next hop.
+/// The entries for one destination and topic, by next hop.
 using Ways = std::map<std::int64_t, RouteEntry>;
 
-/// The share of messages that takes a way: equation 1 of the paper; none: not chosen by shares.
+/// The probability with which a message takes a way: equation 1 of the paper. None if the protocol
+/// does not choose by probability.
 std::optional<double> probability_of(const RouteEntry& entry, const Ways& ways) {
   if (!entry.weight) return std::nullopt;
   double sum = 0;
@@ -50,7 +51,7 @@ class RouteRows {
                         real_at(row, 8)};
       write(next_hop, ways[next_hop], false);
     }
-    // What one way gains the others lose.
+    // The probabilities of the other ways change as well.
     for (const auto& [hop, entry] : ways) {
       if (hop != next_hop && entry.weight) write(hop, entry, false);
     }

@@ -9,7 +9,7 @@ using results::record::Statement;
 
 constexpr std::int64_t kMostRowids = std::int64_t{1} << 53;
 
-/// The first row in [begin, end) that is not before a time; `end` if there is none.
+/// The first row of a range whose time is not before `at`; rows.end if there is none.
 std::int64_t first_row(Statement& time_of_row, Rows rows, std::int64_t at) {
   while (rows.begin < rows.end) {
     const std::int64_t middle = rows.begin + rows.count() / 2;

@@ -11,7 +11,7 @@
 namespace view::server {
 namespace {
 
-/// The record, open while an answer is made.
+/// Keeps the record open while an answer is made.
 class Opened {
  public:
   explicit Opened(Record& record) : record_(record), is_same_(record_.open()) {}
@@ -26,7 +26,7 @@ class Opened {
   bool is_same_;
 };
 
-/// As it was stored with the results; none: by another version, or removed.
+/// The scenario as stored with the results; none if it is of another version, or was removed.
 std::optional<sim::scenario::Scenario> stored_scenario(const std::filesystem::path& folder) {
   try {
     return sim::scenario::load_scenario(folder / "scenario.resolved.yaml");

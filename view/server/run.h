@@ -19,15 +19,15 @@
 
 namespace view::server {
 
-/// One run as the page asks for it. From any thread.
+/// Answers the page's requests about one run. From any thread.
 class Run {
  public:
   /// The result in a folder. @throws std::runtime_error  it is missing, damaged or of another
   /// version.
   explicit Run(const std::filesystem::path& folder);
 
-  /// A scenario that nobody has run: its world as it will start.
-  /// @param said  of it by `baraka check`, a line each.
+  /// A scenario that has not been run: its world at the start.
+  /// @param said  messages of `baraka check` about it, one per line.
   Run(const std::filesystem::path& file, sim::scenario::Scenario scenario,
       std::vector<std::string> said);
   ~Run();
@@ -35,19 +35,20 @@ class Run {
   const std::string& name() const { return name_; }
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// What is at world, KIND/LEVEL/INDEX, routes/AGENT or totals/AGENT; none: nothing.
+  /// The answer for world, KIND/LEVEL/INDEX, routes/AGENT or totals/AGENT; none if the path is not
+  /// valid.
   std::optional<std::string> answer(std::string_view path);
 
-  /// What there is to ask for.
+  /// What can be requested.
   struct Contents {
-    std::vector<std::string> kinds;    ///< Of tiles; empty: there is no record.
-    std::vector<std::int64_t> agents;  ///< Whose routes and totals there are.
+    std::vector<std::string> kinds;    ///< Kinds of tiles; empty: there is no record.
+    std::vector<std::int64_t> agents;  ///< Agents with routes and totals.
     std::int64_t until = 0;            ///< ns: there is nothing later.
   };
   Contents contents();
 
  private:
-  /// What is known of a record that was read, so that it need not be read again.
+  /// Indices of a record that has been read, so that it need not be read again.
   struct Known {
     FrameDensity frames;
     MessageIndex messages;
@@ -56,7 +57,7 @@ class Run {
     LastRows queues{"queues", "''"};
     SeriesStore series;
     LogLines log;
-    std::string world;  ///< Of a run that has ended; empty: not asked for yet.
+    std::string world;  ///< World of a run that has ended; empty: not requested yet.
   };
 
   std::optional<std::string> answer_open(std::string_view path);
@@ -66,9 +67,9 @@ class Run {
 
   std::filesystem::path folder_;
   std::string name_;
-  std::mutex mutex_;  ///< Of all that follows.
+  std::mutex mutex_;  ///< Guards all members below.
   std::optional<Record> record_;
-  std::optional<sim::scenario::Scenario> scenario_;  ///< None: it cannot be read any more.
+  std::optional<sim::scenario::Scenario> scenario_;  ///< None: it can no longer be read.
   std::vector<std::string> said_;
   Known known_;
 };

@@ -14,7 +14,8 @@ namespace {
 
 using results::record::Statement;
 
-/// Observables have their own numbers; what controllers record is numbered by its first row.
+/// Indices: observables keep their numbers; a value of a controller has the rowid of its first row
+/// plus this offset.
 constexpr std::int64_t kOfControllers = std::int64_t{1} << 32;
 constexpr std::size_t kMostKept = 4'000'000;  // samples, 16 bytes each
 constexpr std::size_t kSeriesBins = 256;
@@ -37,7 +38,7 @@ Json series_bins(const auto& samples, const Span& span) {
     ++bin.count;
   }
   JsonArray min, max, mean;
-  for (const Bin& bin : bins) {  // what is infinite is written as null
+  for (const Bin& bin : bins) {  // infinite values are written as null
     min.add(bin.min);
     max.add(bin.max);
     mean.add(bin.count == 0 ? bin.min : bin.sum / static_cast<double>(bin.count));
@@ -50,7 +51,7 @@ Json series_bins(const auto& samples, const Span& span) {
       .json();
 }
 
-/// @param with  an index and the row of what it is: its number, name, agent and unit.
+/// @param with  called with the index and a row of number, name, agent and unit.
 void each_series(Record& record, const auto& with) {
   Statement observable = record.query(
       "SELECT observable, name, agent, unit FROM observables WHERE keeps = 'samples' ORDER BY 1");

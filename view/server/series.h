@@ -11,15 +11,15 @@
 
 namespace view::server {
 
-/// What was recorded over time, of observables and by controllers: lists of times and values. The
-/// record has them all in one row of time, so those that somebody looks at are kept.
+/// Time series of observables and of values that controllers recorded. The record has all of them
+/// interleaved in order of time, so those that were requested are cached.
 class SeriesStore {
  public:
-  /// [{index, name, agent, unit}]; an index stays as it is while a run goes on.
+  /// [{index, name, agent, unit}]; an index does not change while a run goes on.
   static Json list(Record& record);
   static std::vector<std::int64_t> indices(Record& record);
 
-  /// The tile of one. @return "" if there is none of that index.
+  /// The tile of one series. @return "" if there is no series of that index.
   std::string tile(Record& record, std::int64_t index, const Span& span);
 
  private:
@@ -31,7 +31,7 @@ class SeriesStore {
   const Series* find(Record& record, std::int64_t index);
 
   std::map<std::int64_t, Series> kept_;
-  std::size_t samples_ = 0;  ///< Of all of them.
+  std::size_t samples_ = 0;  ///< Number of all cached samples.
 };
 
 }  // namespace view::server

@@ -15,7 +15,7 @@ using hal::node::devices::MoteDescription;
 using hal::node::devices::RobotDescription;
 using hal::node::devices::Wheel;
 
-/// Files do not say how thick a wheel is; it is drawn so, in radii.
+/// Files do not give the width of a wheel; it is drawn with this width, in radii.
 constexpr double kDrawnWheelWidth = 0.5;
 
 std::string_view name_of(hal::node::devices::WheelType type) {
@@ -72,7 +72,8 @@ Json all_of(const Range& range, ToJson to_json) {
   return all.json();
 }
 
-/// Of the circle round the origin that the body, without its wheels, is in; and its height.
+/// Radius of the circle around the origin that contains the body without its wheels; and its
+/// height.
 struct Hull {
   double radius = 0, height = 0;
 

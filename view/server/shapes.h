@@ -5,14 +5,14 @@
 
 namespace view::server {
 
-/// What a body looks like, from the file that describes it: {radius, height, cylinders, boxes,
-/// wheels}. Metres and radians, body frame. null: a station has none.
+/// Shape of a body, from its robot description: {radius, height, cylinders, boxes, wheels}. Metres
+/// and radians, body frame. null for a station, which has no body.
 Json shape_json(const sim::agents::AgentConfig& agent);
 
-/// m: of the circle round its origin that its body is in; 0: it has none.
+/// Radius [m] of the circle around its origin that contains the body; 0 if it has none.
 double body_radius(const sim::agents::AgentConfig& agent);
 
-/// Its infrared sensors: [{x, y, z, heading, half_angle, reach}].
+/// Infrared sensors of the agent: [{x, y, z, heading, half_angle, reach}].
 Json infrared_json(const sim::agents::AgentConfig& agent);
 
 }  // namespace view::server

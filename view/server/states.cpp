@@ -10,7 +10,7 @@ using results::record::Statement;
 
 const std::string kNameOf = "IFNULL((SELECT name FROM agents WHERE agent = {0}), {0})";
 
-/// What happened, of all tables that tell of single things: at_ns, kind, agent, text.
+/// A UNION of all tables of single events: at_ns, kind, agent, text.
 std::string events_sql() {
   std::string sql;
   const auto add = [&](const char* table, const std::string& select) {

@@ -13,9 +13,9 @@
 
 namespace view::server {
 
-/// A tile of a run's record: the span [index * 8^level, (index + 1) * 8^level) ns. Tiles of one
-/// level cover all of time once, each has eight below it: a datum has the same address however the
-/// page came to it.
+/// A tile of a run's record: the time span [index * 8^level, (index + 1) * 8^level) ns. The tiles
+/// of one level cover all times without overlap, and each tile consists of eight tiles of the level
+/// below. So a datum always has the same address, however the page arrived there.
 struct Span {
   static constexpr int kFinest = 4, kCoarsest = 17;
 
@@ -25,7 +25,7 @@ struct Span {
   std::int64_t from() const { return index << (3 * level); }
   std::int64_t to() const { return (index + 1) << (3 * level); }
 
-  /// None: there is no such tile.
+  /// None if there is no such tile.
   static std::optional<Span> of(std::int64_t level, std::int64_t index) {
     constexpr int kBitsOfTime = 62;
     if (level < kFinest || level > kCoarsest || index < 0) return std::nullopt;
@@ -34,18 +34,19 @@ struct Span {
   }
 };
 
-/// Parts of equal length that a summary of a tile has: 8^2, so that they are spans as well.
+/// Number of equal parts in the summary of a tile: 8^2, so that each part is a span of the grid as
+/// well.
 inline constexpr std::int64_t kBins = 64;
 
-/// Which of the 64 parts of a span a time is in. @pre it is in the span
+/// The part of a span, of kBins, in which a time is. @pre the time is in the span.
 inline std::size_t bin_of(const Span& span, std::int64_t at) {
   return static_cast<std::size_t>((at - span.from()) >> (3 * (span.level - 2)));
 }
 
-/// So many rows make a tile too full to be sent whole.
+/// Tiles with more rows than this are sent as a summary.
 inline constexpr std::int64_t kMostRows = 5000, kMostPoses = 20000;
 
-/// Rows, kept column by column.
+/// Rows of a table, stored by column.
 ///
 ///   Columns states({"agent", "at", "state"});
 ///   states.add(1, 0, "IDLE");
@@ -55,7 +56,7 @@ class Columns {
     for (const std::string_view name : names) columns_.emplace_back(std::string(name), JsonArray{});
   }
 
-  /// As many values as there are columns.
+  /// Adds a row. @pre there are as many values as columns.
   template <class... Values>
   void add(const Values&... values) {
     std::size_t i = 0;
@@ -76,7 +77,7 @@ class Columns {
   std::size_t rows_ = 0;
 };
 
-/// How many in each of the 64 parts of a span.
+/// Counts for the parts of a span.
 using Counts = std::array<std::int64_t, kBins>;
 
 }  // namespace view::server

@@ -17,7 +17,7 @@ std::string tile_text(const Record& record, const Span& span, bool is_complete,
   return tile.json().text;
 }
 
-// It comes before everything that a run could have a say in.
+// "complete" comes before everything that a run could influence.
 bool is_complete(std::string_view tile) {
   return tile.substr(0, tile.find("\"columns\"")).find("\"complete\":true") !=
          std::string_view::npos;

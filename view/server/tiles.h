@@ -17,8 +17,8 @@ class FrameDensity;
 class MessageIndex;
 class LastRows;
 
-/// The answer for a tile: its span, whether there is something finer, and what is in it.
-/// @param more  members beside the columns.
+/// The answer for a tile: its span, whether it is complete or only a summary, and its rows.
+/// @param more  further members besides the columns.
 std::string tile_text(const Record& record, const Span& span, bool is_complete,
                       const Columns& columns,
                       std::initializer_list<std::pair<std::string_view, Json>> more = {});
@@ -26,11 +26,11 @@ std::string tile_text(const Record& record, const Span& span, bool is_complete,
 /// Whether such an answer has every row.
 bool is_complete(std::string_view tile);
 
-/// Kinds of tiles, beside the series of a run.
+/// Kinds of tiles, besides the series of a run.
 inline constexpr std::array<std::string_view, 8> kKinds = {
     "poses", "frames", "messages", "states", "events", "readings", "queues", "log"};
 
-/// A record that has not the tables, because nobody asked for them, has no rows.
+/// Tiles by kind. If a table was not recorded, the tile has no rows.
 std::string poses_tile(Record& record, const Span& span);
 std::string frames_tile(Record& record, FrameDensity& density, const Span& span);
 std::string messages_tile(Record& record, MessageIndex& index, const Span& span);
@@ -45,10 +45,10 @@ std::string routes_json(Record& record, std::int64_t agent);
 /// Counters of one agent over the run.
 std::string totals_json(Record& record, std::int64_t agent);
 
-/// The bins of a summary that has one curve, of rows of a table.
+/// The bins of a summary with a single curve, for rows of a table.
 Json counts_of(Record& record, const std::string& table, const Rows& rows, const Span& span);
 
-/// {"n":64,"counts":[…]}
+/// Format: {"n":64,"counts":[…]}
 Json bins_json(const Counts& counts);
 
 }  // namespace view::server

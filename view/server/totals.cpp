@@ -10,7 +10,7 @@ namespace {
 
 using results::record::Statement;
 
-/// {"name": count, …} of a query of names and counts for an agent.
+/// {"name": count, …} from a query of names and counts for an agent.
 Json counts_by_name(Record& record, const std::string& sql, std::int64_t agent) {
   JsonObject counts;
   Statement row = record.query(sql);
@@ -19,7 +19,7 @@ Json counts_by_name(Record& record, const std::string& sql, std::int64_t agent) 
   return counts.json();
 }
 
-/// The columns of the agent's one row, by name; {} if it has none.
+/// The columns of the agent's only row, by name; {} if it has none.
 Json row_of(Record& record, const std::string& table, std::initializer_list<const char*> columns,
             std::int64_t agent) {
   std::string names;

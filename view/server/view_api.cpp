@@ -9,7 +9,7 @@
 namespace view::server {
 namespace {
 
-/// Of the answers' form: a page that knows another one says so.
+/// Version of the format of the answers: a page that knows another version reports it.
 constexpr int kVersion = 1;
 
 std::string_view name_of(ViewApi::Mode mode) {
@@ -24,7 +24,7 @@ std::string_view name_of(ViewApi::Mode mode) {
   return {};
 }
 
-/// Takes a prefix away if it is there.
+/// Removes a prefix. @return whether it was there.
 bool take(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
   text.remove_prefix(prefix.size());

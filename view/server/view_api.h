@@ -11,8 +11,8 @@
 
 namespace view::server {
 
-/// What the page shows, a text for each address: the same whether it is served, live or not, or
-/// inlined in a page. From any thread.
+/// What the page shows, as one text per address. It is the same whether the page is served, live or
+/// not, or has the answers inlined. From any thread.
 class ViewApi {
  public:
   enum class Mode : std::uint8_t { kReplay, kLive, kScenario };
@@ -20,8 +20,8 @@ class ViewApi {
   /// @param runs  at least one.
   ViewApi(std::vector<std::unique_ptr<Run>> runs, Mode mode, bool can_command);
 
-  /// The JSON of an address that begins with /api/; none: there is nothing of that address.
-  /// @throws std::runtime_error  the record is damaged, or gone.
+  /// The JSON for an address that begins with /api/; none if the address is not valid.
+  /// @throws std::runtime_error  the record is damaged, or was removed.
   std::optional<std::string> get(std::string_view path) const;
 
   Mode mode() const { return mode_; }
@@ -35,8 +35,9 @@ class ViewApi {
   bool can_command_;
 };
 
-/// The results in these folders, as `baraka report` finds them, to be seen side by side.
-/// @throws std::runtime_error  one holds none, or one of another version.
+/// Opens the results in these folders, which are found as by `baraka report`, to be shown side by
+/// side.
+/// @throws std::runtime_error  a folder has no result, or one of another version.
 std::vector<std::unique_ptr<Run>> open_results(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace view::server

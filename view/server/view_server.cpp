@@ -21,17 +21,17 @@ namespace view::server {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr std::ptrdiff_t kMostAnswers = 16;    ///< Looked up at a time.
+constexpr std::ptrdiff_t kMostAnswers = 16;    ///< Queries at a time.
 constexpr int kMostWaiting = 1024;             ///< Connections in the kernel's backlog.
 constexpr std::size_t kLongestCommand = 4096;  ///< Bytes
 
-/// The page is one file: its scripts and styles are in it, its workers are made of it.
+/// The page is one file: its scripts and styles are inline, its workers are made from it.
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'unsafe-inline' blob:; worker-src blob:; style-src "
     "'unsafe-inline'; img-src 'self' data: blob:; font-src data:; connect-src 'self' blob: data:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// Signals are the business of whoever started the server.
+/// Blocks all signals while threads are started: signals belong to whoever started the server.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -49,7 +49,7 @@ class SignalsBlocked {
 
 using Permits = std::counting_semaphore<kMostAnswers>;
 
-/// One of those that are answered at a time.
+/// A permit to answer, of which there is a limited number.
 class Permit {
  public:
   explicit Permit(Permits& permits) : permits_(permits) { permits_.acquire(); }
@@ -61,7 +61,8 @@ class Permit {
   Permits& permits_;
 };
 
-/// The library has the whole process ignore SIGPIPE, and so would all that it starts.
+/// The library makes the whole process ignore SIGPIPE, which child processes would inherit:
+/// restores the handler.
 std::unique_ptr<BoundedServer> new_server() {
   struct sigaction before {};
   ::sigaction(SIGPIPE, nullptr, &before);
@@ -81,8 +82,8 @@ RequestHead head_of(const httplib::Request& request) {
           .token = request.get_header_value("X-Baraka-Token")};
 }
 
-/// By a provider: the library would compress what it has whole, which takes longer than to send it
-/// from here to here.
+/// Sends by a content provider: the library would compress a complete text, which takes longer than
+/// to send it within one host.
 void send(httplib::Response& response, std::string text, const char* type) {
   const auto content = std::make_shared<const std::string>(std::move(text));
   response.set_content_provider(content->size(), type,
@@ -146,7 +147,7 @@ class ViewServer::Http {
   RunControl* control_;
   const Clock* clock_;
   std::optional<std::string> token_;
-  int socket_ = -1;  ///< That listens; the server's.
+  int socket_ = -1;  ///< The listening socket, owned by the server.
   mutable Permits answers_{kMostAnswers};
   std::unique_ptr<BoundedServer> server_;
   std::thread listener_;
@@ -154,7 +155,7 @@ class ViewServer::Http {
 
 void ViewServer::Http::set_up() {
   using Handled = httplib::Server::HandlerResponse;
-  // Not the library's, with which several servers could share a port.
+  // Replaces the library's options, with which several servers could share a port.
   server_->set_socket_options([this](int socket) {
     socket_ = socket;
     const int yes = 1;
@@ -182,7 +183,7 @@ void ViewServer::Http::set_up() {
   });
 }
 
-/// The library keeps a body of unknown length whole before it measures it.
+/// Refuses a body of unknown length: the library would read all of it before it checks its size.
 bool refuse_body(const httplib::Request& request, httplib::Response& response) {
   if (!request.has_header("Transfer-Encoding") && !request.has_header("Content-Encoding"))
     return false;
@@ -190,7 +191,7 @@ bool refuse_body(const httplib::Request& request, httplib::Response& response) {
   return true;
 }
 
-/// @return false: it is a command that may be read.
+/// @return false if it is a command whose body may be read.
 bool ViewServer::Http::answer(const httplib::Request& request, httplib::Response& response) const {
   if (const auto refusal = refusal_of(head_of(request), port_, token_)) {
     send_error(response, refusal->status, refusal->why);
@@ -198,7 +199,7 @@ bool ViewServer::Http::answer(const httplib::Request& request, httplib::Response
   }
   if (request.method != "GET") return refuse_body(request, response);
   const Permit permit(answers_);
-  // Here, because the library looks for an exception handler only where it looks for a handler.
+  // The library's exception handler does not cover handlers that run before routing.
   try {
     get(request.path, response);
   } catch (const std::exception& e) {
@@ -243,17 +244,17 @@ hal::Result<void> ViewServer::Http::start() {
                                        wanted_port_, kHost));
   }
   if (wanted_port_ != 0) port_ = wanted_port_;
-  // The library lets five wait; a browser with some tabs opens more at once, and each that finds no
-  // place tries again after a second only.
+  // The library's backlog is five; a browser with some tabs opens more connections at once, and
+  // retries one that was refused only after a second.
   ::listen(socket_, kMostWaiting);
-  const SignalsBlocked blocked;  // in the new thread and those that it starts
+  const SignalsBlocked blocked;  // inherited by the new thread and those that it starts
   listener_ = std::thread([this] { server_->listen_after_bind(); });
   return {};
 }
 
 void ViewServer::Http::stop() {
   if (!listener_.joinable()) return;
-  // Before it listens, the library would not hear of it.
+  // The library ignores stop() before it listens.
   while (!server_->is_running()) std::this_thread::yield();
   server_->end();
   listener_.join();
@@ -266,7 +267,7 @@ void ViewServer::stop() { http_->stop(); }
 int ViewServer::port() const { return http_->port(); }
 
 std::string ViewServer::address() const {
-  // Behind '#': browsers keep that to themselves, it is never sent.
+  // After '#': browsers do not send this part of an address.
   const std::string token = http_->token() ? "#token=" + *http_->token() : "";
   return fmt::format("http://{}:{}/{}", kHost, port(), token);
 }

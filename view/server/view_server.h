@@ -10,8 +10,8 @@
 
 namespace view::server {
 
-/// Serves the page and what it shows on 127.0.0.1, on threads of its own; whoever looks, and how
-/// many, changes nothing of a run.
+/// Serves the page and its data on 127.0.0.1, in threads of its own. Viewers, however many, do not
+/// affect a run.
 ///
 ///   ViewServer server({.page = find_page("view_page.html"), .runs = open_results(folders)});
 ///   server.start();
@@ -19,28 +19,30 @@ namespace view::server {
 class ViewServer {
  public:
   struct Settings {
-    std::optional<std::string> page;  ///< None: it was not built; only the API is there.
+    std::optional<std::string> page;  ///< None: it was not built; only the API is served.
     std::vector<std::unique_ptr<Run>> runs;
     ViewApi::Mode mode = ViewApi::Mode::kReplay;
-    int port = 0;                   ///< 0: a free one.
-    RunControl* control = nullptr;  ///< Null: nothing can be commanded. Outlives the server.
-    const Clock* clock = nullptr;   ///< Null: nothing goes on. Outlives the server.
+    int port = 0;                   ///< 0: any free port.
+    RunControl* control = nullptr;  ///< Null: commands are refused; outlives the server.
+    const Clock* clock = nullptr;   ///< Null: the run does not go on; outlives the server.
   };
 
   explicit ViewServer(Settings settings);
-  ~ViewServer();  ///< Stops it.
+  ~ViewServer();  ///< Stops the server.
   ViewServer(const ViewServer&) = delete;
   ViewServer& operator=(const ViewServer&) = delete;
 
-  /// Once. @return kInvalidArgument: the port is taken, as a message of its own says.
+  /// Call once. @return kInvalidArgument if the port is taken; the message names it.
   hal::Result<void> start();
 
-  /// Cuts all connections; a look-up under way goes on to its end. Nothing if it does not run.
+  /// Cuts all connections; a query in progress continues to its end. Does nothing if the server is
+  /// not running.
   void stop();
 
   int port() const;
 
-  /// For the browser of whoever started it: with the token that a live run's page needs.
+  /// For the browser of the user who started the server: includes the token that a live run's page
+  /// needs.
   std::string address() const;
 
  private:

@@ -23,7 +23,7 @@ using results::record::Statement;
 using sim::agents::AgentConfig;
 using sim::scenario::Scenario;
 
-/// What everything is in.
+/// The rectangle that contains everything.
 class Bounds {
  public:
   void add(double x, double y, double around = 0) {
@@ -32,7 +32,7 @@ class Bounds {
     y0_ = std::min(y0_, y - around);
     y1_ = std::max(y1_, y + around);
   }
-  /// A rectangle turned by `yaw`: its corners.
+  /// Adds the corners of a rectangle that is turned by `yaw`.
   void add_turned(const sim::physics::StaticBox& box) {
     const double c = std::abs(std::cos(box.yaw)), s = std::abs(std::sin(box.yaw));
     const double x = (c * box.size.x + s * box.size.y) / 2,
@@ -49,11 +49,11 @@ class Bounds {
   double x0_ = kFar, x1_ = -kFar, y0_ = kFar, y1_ = -kFar;
 };
 
-/// Descriptions by name: agents of which the same is told share one.
+/// Descriptions by name: agents with equal descriptions share one.
 class Shared {
  public:
   explicit Shared(const char* kind) : kind_(kind) {}
-  /// @return its name; none: there is nothing to tell.
+  /// @return its name; none if there is nothing to describe.
   std::optional<std::string> add(const Json& what) {
     if (what.text == "null" || what.text == "[]") return std::nullopt;
     const auto known = names_.find(what.text);
@@ -91,7 +91,7 @@ struct Standing {
   Json agents, shapes, channels;
 };
 
-/// As the scenario has them.
+/// The agents according to the scenario.
 Standing agents_of(const Scenario& scenario, Bounds& bounds) {
   Shared shapes("shape"), channels("channels");
   JsonArray agents;
@@ -115,7 +115,7 @@ Standing agents_of(const Scenario& scenario, Bounds& bounds) {
   return {agents.json(), shapes.json(), channels.json()};
 }
 
-/// As the record has them, if the scenario cannot be read any more.
+/// The agents according to the record, if the scenario cannot be read.
 Standing agents_of(Record& record, Bounds& bounds) {
   JsonArray agents;
   Statement row =
@@ -162,7 +162,7 @@ Json walls_of(const Scenario& scenario, Bounds& bounds) {
 }
 
 Json walls_of(Record& record, Bounds& bounds) {
-  constexpr double kDrawnHeight = 1;  // m: the record does not say
+  constexpr double kDrawnHeight = 1;  // m: the record does not have it
   JsonArray walls;
   Statement row = record.query("SELECT name, x_m, y_m, yaw_rad, size_x_m, size_y_m FROM walls");
   while (row.next()) {
@@ -176,8 +176,8 @@ Json walls_of(Record& record, Bounds& bounds) {
   return walls.json();
 }
 
-/// Where agents were. Of a run that goes on only where they were last: there would be ever more to
-/// read.
+/// Adds where agents were; of a run that goes on only their latest places, because reading all
+/// poses would take longer and longer.
 void add_ways(Record& record, Bounds& bounds) {
   Statement row = record.query(record.is_growing()
                                    ? "SELECT MIN(x_m), MIN(y_m), MAX(x_m), MAX(y_m) FROM bodies"
@@ -194,7 +194,8 @@ Json texts_of(Record& record, const char* sql) {
   return texts.json();
 }
 
-/// More than these nobody can tell apart: the page then draws those of the chosen agent only.
+/// More links than these cannot be distinguished: the page then draws only those of the selected
+/// agent.
 constexpr std::size_t kMostLinks = 2000;
 
 Json links_of(Record& record) {
@@ -226,7 +227,7 @@ Json lines_of(std::string text, const std::vector<std::string>& more) {
   return lines.json();
 }
 
-/// What only a run has.
+/// Adds what only a run has.
 void add_run(JsonObject& world, Record& record, const std::vector<std::string>& said) {
   const RecordSettings settings = record_settings(record);
   for (const char* key : {"result", "profile", "fingerprint"}) world.add(key, record.value(key));
@@ -247,7 +248,7 @@ void add_run(JsonObject& world, Record& record, const std::vector<std::string>& 
       .add("warnings", lines_of(record.value("warnings"), said));
 }
 
-/// What a scenario says of a run that there has not been.
+/// Adds what a scenario tells about a run that has not happened.
 void add_plan(JsonObject& world, const Scenario& scenario, const std::vector<std::string>& said) {
   const RecordSettings settings = record_settings(scenario);
   std::int64_t end = 0;

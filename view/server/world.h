@@ -8,10 +8,11 @@
 
 namespace view::server {
 
-/// What stands where, and what there is to be seen of a run: /api/runs/R/world.
-/// @param record  null: nobody has run it. @param scenario  null: it cannot be read; then agents
-///   have no shapes. Not both.
-/// @param said  of the scenario by `baraka check`.
+/// The static part of a run, and a list of what can be requested: the answer to /api/runs/R/world.
+/// At least one of record and scenario must be given.
+/// @param record  null: the scenario has not been run.
+/// @param scenario  null: it cannot be read; then agents have no shapes.
+/// @param said  messages of `baraka check` about the scenario.
 std::string world_json(Record* record, const sim::scenario::Scenario* scenario,
                        const std::string& name, const std::vector<std::string>& said);
 
