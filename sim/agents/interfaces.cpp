@@ -1,6 +1,7 @@
 #include "sim/agents/interfaces.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "hal/types/check.h"
@@ -41,6 +42,11 @@ void Interfaces::connect(air::FrameSink& sink, air::FrameSource& source) {
   source_ = &source;
 }
 
+void Interfaces::connect(air::FrameSink& sink, air::HeldPrograms& programs) {
+  sink_ = &sink;
+  programs_ = &programs;
+}
+
 Interfaces::AgentInterface& Interfaces::of(hal::AgentId agent) {
   const auto one = std::ranges::lower_bound(interfaces_, agent, {}, &AgentInterface::agent);
   BARAKA_CHECK(one != interfaces_.end() && one->agent == agent);
@@ -73,10 +79,12 @@ void Interfaces::enter(hal::Time at, air::SentFrame&& frame) {
 }
 
 void Interfaces::tell_room() {
-  for (const AgentInterface& one : interfaces_) {
-    const std::size_t room = one.interface->room();
-    sink_->on_room(one.agent, {.free = room - std::min(room, one.held), .capacity = one.capacity});
-  }
+  for (const AgentInterface& one : interfaces_) tell_room(one);
+}
+
+void Interfaces::tell_room(const AgentInterface& one) {
+  const std::size_t room = one.interface->room();
+  sink_->on_room(one.agent, {.free = room - std::min(room, one.held), .capacity = one.capacity});
 }
 
 void Interfaces::on_entered(hal::AgentId agent, const radio::MacRequest& request) {
@@ -89,7 +97,13 @@ void Interfaces::on_left(hal::AgentId agent, const radio::MacIndication& indicat
   home_.observer.on_air_left(at, agent, indication);
   if (sink_ == nullptr) return;
   sink_->on_frame(agent, at, ethernet);
+  if (programs_ != nullptr) set_turn(of(agent), at);
   if (clock_ != nullptr) leaving_.add(clock_->now() - at);
+}
+
+void Interfaces::on_ended(hal::AgentId agent) {
+  if (programs_ != nullptr && programs_->waits_for_room(agent))
+    set_turn(of(agent), home_.events.now());
 }
 
 void Interfaces::on_refused(hal::AgentId agent, air::Refusal refusal, std::size_t bytes) {
@@ -98,6 +112,76 @@ void Interfaces::on_refused(hal::AgentId agent, air::Refusal refusal, std::size_
   hal::log::debug(now, of(agent).door, "a frame of {} bytes is refused: {}", bytes,
                   air::name(refusal));
   home_.observer.on_air_refused(now, agent, refusal, bytes);
+}
+
+void Interfaces::start_programs() {
+  if (programs_ == nullptr) return schedule_repeated();
+  for (AgentInterface& one : interfaces_) set_turn(one, home_.events.now());
+  schedule_start();
+}
+
+void Interfaces::schedule_start() {
+  const auto at = programs_->next_start();
+  if (at) home_.events.schedule(*at, Rank::kProgram, kWorld, [this] { start_due(); });
+}
+
+void Interfaces::start_due() {
+  const hal::Time now = home_.events.now();
+  for (auto at = programs_->next_start(); at && *at <= now; at = programs_->next_start()) {
+    set_turn(of(programs_->start_next(now)), now);
+  }
+  schedule_start();
+}
+
+/// An earlier turn than the one that is pending takes its place.
+void Interfaces::set_turn(AgentInterface& one, hal::Time at) {
+  if (home_.events.is_pending(one.turn)) {
+    if (one.turn_at <= at) return;
+    home_.events.cancel(one.turn);
+  }
+  const auto i = static_cast<std::size_t>(&one - interfaces_.data());
+  one.turn_at = at;
+  one.turn = home_.events.schedule(at, Rank::kProgram, one.agent, [this, i] { take_turn(i); });
+}
+
+/// What is sent goes into the queue of the station before the programs are told how much room is
+/// left, which may let them send more.
+void Interfaces::take_turn(std::size_t i) {
+  AgentInterface& one = interfaces_[i];
+  const hal::Time now = home_.events.now();
+  bool has_waited = false;
+  do {
+    const bool goes_on = programs_->go_on(
+        one.agent, now, [&](std::span<const std::uint8_t> frame) { arrive(one.door, frame); });
+    if (!goes_on) return home_.break_off();
+    has_waited = programs_->waits_for_room(one.agent) && one.interface->room() > 0;
+    tell_room(one);
+  } while (has_waited);
+  const auto next = programs_->deadline(one.agent);
+  if (next) set_turn(one, std::max(*next, now + hal::Duration{1}));
+}
+
+void Interfaces::arrive(const std::string& door, std::span<const std::uint8_t> bytes) {
+  const OutsideArrival arrival{home_.events.now(), door, {bytes.begin(), bytes.end()}};
+  home_.observer.on_arrival(arrival);
+  home_.outside.hand_over(arrival);
+}
+
+void Interfaces::repeat_arrivals(std::vector<OutsideArrival> arrivals) {
+  repeated_.assign(std::make_move_iterator(arrivals.begin()),
+                   std::make_move_iterator(arrivals.end()));
+}
+
+/// One after the other, each among the events of its time where the turn was that sent it.
+void Interfaces::schedule_repeated() {
+  if (repeated_.empty()) return;
+  const hal::Time at = std::max(repeated_.front().at, home_.events.now());
+  home_.events.schedule(at, Rank::kProgram, kWorld, [this] {
+    const OutsideArrival arrival = std::move(repeated_.front());
+    repeated_.pop_front();
+    arrive(arrival.door, arrival.bytes);
+    schedule_repeated();
+  });
 }
 
 AirSummary Interfaces::summary() const {

@@ -102,7 +102,7 @@ void Simulation::State::fail(std::string with) {
 
 void Simulation::State::work_off(hal::Time begin) {
   const hal::Time last = last_instant(begin);
-  while (!result) {
+  while (!result && !broken_off) {
     const auto next = events.next_time();
     if (!next || *next > last) break;
     look_before(*next);
@@ -271,7 +271,7 @@ void Simulation::State::go_on(hal::Time next, Pace& pace) {
       look_before(next);
       take_outside(next);
       work_off(next);
-      if (!result) exchange(next + config.controller_latency);
+      if (!result && !broken_off) exchange(next + config.controller_latency);
   }
 }
 

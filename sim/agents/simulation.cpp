@@ -71,7 +71,11 @@ Simulation::State::State(const SimulationConfig& the_config,
            .observer = observers,
            .seed = config.seed,
            .ground = *config.world.ground}),
-      interfaces(config, air, {.events = events, .outside = outside, .observer = observers}),
+      interfaces(config, air,
+                 {.events = events,
+                  .outside = outside,
+                  .observer = observers,
+                  .break_off = [this] { broken_off = true; }}),
       watch({.events = events,
              .position = [this](hal::AgentId agent) -> std::optional<hal::Vec2> {
                if (!agents.at(agent)->is_present()) return std::nullopt;
@@ -123,6 +127,18 @@ void Simulation::connect_air(air::FrameSink& sink, air::FrameSource& source) {
   state_->interfaces.connect(sink, source);
 }
 
+void Simulation::connect_air(air::FrameSink& sink, air::HeldPrograms& programs) {
+  state_->interfaces.connect(sink, programs);
+}
+
+void Simulation::arrive(const std::string& door, std::span<const std::uint8_t> bytes) {
+  state_->interfaces.arrive(door, bytes);
+}
+
+void Simulation::repeat_arrivals(std::vector<OutsideArrival> arrivals) {
+  state_->interfaces.repeat_arrivals(std::move(arrivals));
+}
+
 OutsideInput& Simulation::outside() { return state_->outside; }
 
 void Simulation::note_arrival(const std::string& name, std::vector<std::uint8_t> bytes) {
@@ -162,15 +178,19 @@ void Simulation::begin(std::optional<hal::Time> until) {
 Outcome Simulation::run(std::optional<hal::Time> until, Pace& pace) {
   State& s = *state_;
   begin(until);
+  s.interfaces.start_programs();
   while (!s.result && !s.broken_off) {
     const auto next = s.events.next_time();
     if (!next || (until && *next > *until)) break;
     s.go_on(*next, pace);
   }
-  if (!s.error.empty()) return s.outcome();
-  s.look_at_the_end(until);
-  s.stop_controllers();
-  return s.outcome();
+  if (s.error.empty()) {
+    s.look_at_the_end(until);
+    s.stop_controllers();
+  }
+  Outcome outcome = s.outcome();
+  if (s.interfaces.holds_programs()) outcome.held_air = s.interfaces.summary();
+  return outcome;
 }
 
 Outcome Simulation::follow(std::optional<hal::Time> until, FollowedClock& clock) {

@@ -17,6 +17,7 @@
 #include "sim/agents/simulation_config.h"
 #include "sim/air/frame_sink.h"
 #include "sim/air/frame_source.h"
+#include "sim/air/held_programs.h"
 #include "sim/core/outside_input.h"
 #include "sim/radio/radio_use.h"
 
@@ -65,6 +66,8 @@ struct Outcome {
   /// One line per lost body, in order: "r0 tipped over at 1.230000000 s".
   std::vector<std::string> bodies_lost = {};
   std::optional<RealTimeSummary> real_time = {};  ///< For follow() and repeat().
+  /// Of run() with programs: what passed the interfaces; nothing is late.
+  std::optional<AirSummary> held_air = {};
 };
 
 /// A simulation of bodies, radio and controllers with one clock. One thread.
@@ -100,8 +103,17 @@ class Simulation final : public hal::node::exchange::AgentHost {
   /// `sink`, frames of programs come from `source`. Before a real-time run; not for a repetition.
   void connect_air(air::FrameSink& sink, air::FrameSource& source);
 
-  /// Records that an input from outside arrived now by another way than a door: a reply of a
-  /// controller that also receives from elsewhere. On the run's thread.
+  /// The same for a run in lock-step, in which the programs go on when the run says so.
+  void connect_air(air::FrameSink& sink, air::HeldPrograms& programs);
+
+  /// In lock-step: something comes from programs at this instant, through a door of outside().
+  void arrive(const std::string& door, std::span<const std::uint8_t> bytes);
+
+  /// Before run(), in place of programs: what came from them in a run in lock-step, in that order.
+  void repeat_arrivals(std::vector<OutsideArrival> arrivals);
+
+  /// Has it recorded, as of now, that something came from outside by another way than a door: a
+  /// reply of a controller that hears others. On the run's thread.
   void note_arrival(const std::string& name, std::vector<std::uint8_t> bytes);
 
   /// Runs once, until an end condition or `until`. @pre every agent that has a program is

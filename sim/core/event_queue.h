@@ -20,7 +20,15 @@ using hal::Duration;
 using hal::Time;
 
 /// Order of events of one time: lower ranks run first.
-enum class Rank : std::uint8_t { kScenario, kPhysics, kRadio, kNodeTimer, kControl, kAction };
+enum class Rank : std::uint8_t {
+  kScenario,
+  kPhysics,
+  kRadio,
+  kNodeTimer,
+  kControl,
+  kAction,
+  kProgram,  ///< Unmodified programs in lock-step.
+};
 
 /// Owner of events that belong to no agent (physics, scenario). Sorts before all agents.
 inline constexpr AgentId kWorld{0};

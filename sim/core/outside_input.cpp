@@ -49,6 +49,12 @@ void OutsideInput::put_at(hal::Time at, std::string_view door, std::vector<std::
   held_.push_back({.at = at, .door = std::string(door), .bytes = std::move(bytes)});
 }
 
+void OutsideInput::hand_over(const OutsideArrival& arrival) {
+  const auto door = doors_.find(arrival.door);
+  BARAKA_CHECK(door != doors_.end());
+  door->second(arrival.bytes);
+}
+
 bool OutsideInput::has_due(hal::Time now) const {
   if (is_replayed_) return has_waiting_ && waiting_.front().at <= now;
   return has_waiting_ || (!held_.empty() && held_.front().at <= now);

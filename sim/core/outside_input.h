@@ -61,7 +61,11 @@ class OutsideInput {
   /// Call on the run's thread. @pre times do not decrease.
   void put_at(hal::Time at, std::string_view door, std::vector<std::uint8_t> bytes);
 
-  /// Number of inputs of put_at() that the run has not taken yet.
+  /// Hands an input to the door's receiver at once: one of programs in lock-step, which act in an
+  /// event of the run. On the run's thread. @pre the door is open.
+  void hand_over(const OutsideArrival& arrival);
+
+  /// Of put_at(), not taken in yet.
   std::size_t held() const { return held_.size(); }
 
   /// File descriptor that is readable while an input waits.

@@ -58,11 +58,23 @@ std::vector<PlannedProgram> plan_programs(const Scenario& scenario) {
         if (config == nullptr) continue;  // its address is in use, which was reported
         PlannedProgram one{&group, &program, agent, config->name, {}};
         one.log = filled_in(program.log, words_of(one, scenario, {}));
+        one.start = hal::Time{} + program.start;
         planned.push_back(std::move(one));
       }
     }
   }
-  std::ranges::stable_sort(planned, {}, [](const auto& one) { return one.program->start; });
+  std::ranges::stable_sort(planned, {}, &PlannedProgram::start);
+  return planned;
+}
+
+std::vector<PlannedProgram> plan_held_programs(const Scenario& scenario) {
+  std::vector<PlannedProgram> planned = plan_programs(scenario);
+  for (PlannedProgram& one : planned) {
+    const std::string stream = one.agent_name + "/programs/" + one.program->name;
+    const double share = hal::RandomStream(scenario.simulation.seed, stream).uniform();
+    one.start += hal::from_seconds(share * hal::to_seconds(kStartSpread));
+  }
+  std::ranges::stable_sort(planned, {}, &PlannedProgram::start);
   return planned;
 }
 

@@ -26,14 +26,21 @@ struct PlannedProgram {
   const Program* program = nullptr;
   hal::AgentId agent;
   std::string agent_name;
-  std::string log;  ///< File in the folder of results.
+  std::string log;  ///< File in the results' folder.
+  hal::Time start{};
 };
 
 /// Every program of every agent, ordered by start time and then by declaration. Points into the
 /// scenario.
 std::vector<PlannedProgram> plan_programs(const Scenario& scenario);
 
-/// Values of the placeholders in a planned program's command and environment.
+/// The same for lock-step: each starts up to this later, at a time drawn from the seed. Programs
+/// take no time there to load; of those that started at one instant on several agents, all that
+/// they send periodically would collide for ever.
+inline constexpr hal::Duration kStartSpread = std::chrono::milliseconds{10};
+std::vector<PlannedProgram> plan_held_programs(const Scenario& scenario);
+
+/// What the words in a planned program's command and environment stand for.
 /// @param results  the folder; empty: not known yet.
 ProgramWords words_of(const PlannedProgram& planned, const Scenario& scenario,
                       const std::filesystem::path& results);
