@@ -30,7 +30,7 @@ foreach(folder config/robots config/radios config/scenarios config/campaigns con
 endforeach()
 
 install(TARGETS baraka EXPORT baraka RUNTIME DESTINATION bin COMPONENT program)
-install(TARGETS baraka_dilate LIBRARY DESTINATION lib/baraka COMPONENT program)
+install(TARGETS baraka_dilate baraka_lockstep LIBRARY DESTINATION lib/baraka COMPONENT program)
 install(TARGETS baraka-holder RUNTIME DESTINATION lib/baraka COMPONENT program)
 install(TARGETS ${controller_names} RUNTIME DESTINATION bin COMPONENT program)
 foreach(name IN LISTS controller_names)

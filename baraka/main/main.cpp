@@ -133,8 +133,9 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
          "fast as possible, with --view 1")
       ->transform(plain_number(kLeastSpeed, kMostSpeed));
   CLI::Option* pace = run->add_option("--pace", options.pace,
-                                      "lockstep: wait for controllers; realtime[:F]: follow the "
-                                      "wall clock, F times as fast, and never wait");
+                                      "lockstep: wait for controllers, and hold programs; "
+                                      "realtime[:F]: follow the wall clock, F times as fast, and "
+                                      "never wait; default: lockstep, but realtime with programs");
   CLI::Option* repeat =
       run->add_option(
              "--repeat", options.repeat,

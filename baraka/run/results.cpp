@@ -234,6 +234,11 @@ void Results::add(const network::NetworkSummary& network) {
   recorder_->set("icmp_not_sent", icmp_not_sent);
   recorder_->set("cpu_load", network.cpu_load);
   recorder_->set("cpu_load_programs", network.cpu_load_programs);
+  if (network.lockstep) {
+    recorder_->set("program_turns", network.lockstep->counts.turns);
+    recorder_->set("program_waits_ended", network.lockstep->counts.expired);
+    recorder_->set("program_spins", network.lockstep->spins);
+  }
   auto& interfaces = *recorder_->find<results::record::InterfaceCounts>();
   for (const results::record::ProgramRow& program : network.programs) interfaces.add(program);
 }

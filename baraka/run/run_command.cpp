@@ -75,7 +75,7 @@ std::unique_ptr<network::NetworkOfRun> network_of(const std::string& file, const
                                                   const TimeAdvance& time_advance,
                                                   const Results& results) {
   if (!network::has_network(scenario) || time_advance.is_repeated()) return nullptr;
-  return std::make_unique<network::NetworkOfRun>(scenario, file, *time_advance.factor(),
+  return std::make_unique<network::NetworkOfRun>(scenario, file, program_time(time_advance.pace()),
                                                  [&results] { return results.folder().path(); });
 }
 
@@ -234,7 +234,7 @@ check::RunMode run_mode_of(const RunOptions& options) {
   return {.controllers = options.controllers,
           .has_domain = options.inspect_domain.has_value(),
           .is_repeated = !options.repeat.empty(),
-          .factor = factor_of_programs(options.pace)};
+          .time = program_time(options.pace)};
 }
 
 std::string until_words(const RunOptions& options) {

@@ -84,15 +84,24 @@ gateway::process::ExitStatus exit_status(const Outcome& outcome,
                                     : gateway::process::kExpectationNotMet;
 }
 
+/// Null: no programs used the interfaces.
+const sim::agents::AirSummary* air_of(const Outcome& outcome) {
+  if (outcome.held_air) return &*outcome.held_air;
+  return outcome.real_time && outcome.real_time->air ? &*outcome.real_time->air : nullptr;
+}
+
 }  // namespace
 
 void end_network(network::NetworkOfRun& network, RunEnding& ending, const TimeAdvance& time_advance,
                  const sim::scenario::Scenario& scenario, Results& results) {
   ending.network = network.finish();
-  if (!ending.outcome.real_time || !ending.outcome.real_time->air) return;
+  const sim::agents::AirSummary* const air = air_of(ending.outcome);
+  if (air == nullptr) return;
   const std::vector<std::string> lines =
-      network::network_warnings(*ending.outcome.real_time->air, *ending.network,
-                                *time_advance.factor(), scenario.simulation.lateness_limit);
+      ending.network->lockstep
+          ? network::held_network_warnings(*air, *ending.network)
+          : network::network_warnings(*air, *ending.network, *time_advance.factor(),
+                                      scenario.simulation.lateness_limit);
   if (lines.empty()) return;
   results.add_warnings(lines);
   ending.complaints.insert(ending.complaints.end(), lines.begin(), lines.end());
@@ -111,9 +120,8 @@ gateway::process::ExitStatus conclude(Results& results, const sim::scenario::Jud
     hal::print_line(hal::Tone::kMistake, "not met: " + line);
   }
   if (outcome.real_time) print_real_time(*outcome.real_time);
-  if (outcome.real_time && outcome.real_time->air && network) {
-    network::print_network(*outcome.real_time->air, *network);
-  }
+  const sim::agents::AirSummary* const air = air_of(outcome);
+  if (air != nullptr && network) network::print_network(*air, *network);
   print_outcome(outcome, results, wall_seconds);
   return status;
 }

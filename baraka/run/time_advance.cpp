@@ -14,6 +14,7 @@
 #include "baraka/run/pace/real_time_clock.h"
 #include "gateway/process/exit_status.h"
 #include "hal/files/config/value.h"
+#include "sim/agents/air_door.h"
 #include "sim/scenario/resolved.h"
 
 namespace baraka::run {
@@ -38,10 +39,25 @@ std::optional<double> real_time_factor(const std::string& pace) {
   return *factor;
 }
 
-/// Programs need a real-time pace and cannot run faster than wall time.
+void require_no_controllers_inside(const sim::scenario::Scenario& scenario) {
+  const auto inside = std::ranges::find_if(
+      scenario.groups, [](const sim::scenario::Group& group) { return group.inside; });
+  if (inside == scenario.groups.end()) return;
+  throw gateway::process::UsageError(
+      fmt::format("--pace: lockstep: the controllers of {} run inside their agents, which "
+                  "lock-step cannot hold "
+                  "yet; take realtime",
+                  inside->name));
+}
+
+/// Without --pace programs follow the wall clock; they cannot run faster than it.
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
   if (!network::has_network(scenario)) return options.pace.empty() ? "lockstep" : options.pace;
+  if (options.pace == "lockstep") {
+    require_no_controllers_inside(scenario);
+    return options.pace;
+  }
   if (std::isfinite(options.max_speed)) {
     throw gateway::process::UsageError(
         "--max-speed: agents with a network follow the clock; --pace realtime:F makes a run and "
@@ -49,11 +65,6 @@ std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& sc
   }
   if (options.pace.empty()) return "realtime";
   const std::optional<double> factor = real_time_factor(options.pace);
-  if (!factor) {
-    throw gateway::process::UsageError(
-        "--pace: lockstep: agents with a network need realtime, for programs do not wait for the "
-        "simulator; --repeat plays such a run without a clock");
-  }
   if (*factor >= kLeastFactorOfPrograms && *factor <= 1) return options.pace;
   throw gateway::process::UsageError(fmt::format(
       "--pace: realtime:{}: with agents that have a network, F must be from {} to 1: their "
@@ -134,10 +145,24 @@ std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
                   folder.string(), first, file.string()));
 }
 
+/// Takes out of a record in lock-step what came from programs, which acted in events of the run.
+std::vector<sim::OutsideArrival> take_of_programs(std::vector<sim::OutsideArrival>& arrivals) {
+  const auto of_programs = [](const sim::OutsideArrival& one) {
+    return one.door == network::kProgramsDoor || sim::agents::is_air_door(one.door);
+  };
+  const auto others = std::ranges::stable_partition(
+      arrivals, [&](const sim::OutsideArrival& one) { return !of_programs(one); });
+  std::vector<sim::OutsideArrival> taken(std::make_move_iterator(others.begin()),
+                                         std::make_move_iterator(others.end()));
+  arrivals.erase(others.begin(), others.end());
+  return taken;
+}
+
 }  // namespace
 
-double factor_of_programs(const std::string& pace) {
-  return pace.empty() ? 1 : real_time_factor(pace).value_or(1);
+programs::netns::ProgramTime program_time(const std::string& pace) {
+  const std::optional<double> factor = pace.empty() ? 1 : real_time_factor(pace);
+  return {.is_held = !factor, .factor = factor.value_or(1)};
 }
 
 TimeAdvance::TimeAdvance(const RunOptions& options, const sim::scenario::Scenario& scenario)
@@ -154,13 +179,19 @@ TimeAdvance::TimeAdvance(const RunOptions& options, const sim::scenario::Scenari
 sim::agents::Outcome TimeAdvance::play(sim::agents::Simulation& simulation, pace::WallPace& pace,
                                        network::NetworkOfRun* network) const {
   if (record_) {
-    simulation.outside().replay(record_->arrivals);
     if (record_->in_real_time) {
+      simulation.outside().replay(record_->arrivals);
       return simulation.repeat(until_, record_->turns, pace, !open_loop_.empty());
     }
+    std::vector<sim::OutsideArrival> others = record_->arrivals;
+    simulation.repeat_arrivals(take_of_programs(others));
+    simulation.outside().replay(std::move(others));
     return simulation.run(until_, pace);
   }
-  if (!factor_) return simulation.run(until_, pace);
+  if (!factor_) {
+    if (network != nullptr) network->connect(simulation, pace);
+    return simulation.run(until_, pace);
+  }
   pace::RealTimeClock clock(*factor_, pace);
   if (network != nullptr) network->connect(simulation, clock);
   return simulation.follow(until_, clock);

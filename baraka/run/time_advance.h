@@ -13,10 +13,10 @@
 
 namespace baraka::run {
 
-/// Seconds of the programs' time per second of wall time.
-/// @param pace  a value of `--pace`; empty or "lockstep" give 1.
+/// How time passes for the programs of a run.
+/// @param pace  a value of `--pace`; empty: real time.
 /// @throws UsageError  not a valid pace.
-double factor_of_programs(const std::string& pace);
+programs::netns::ProgramTime program_time(const std::string& pace);
 
 /// How simulated time advances in a run: in lock-step, in real time, or as in a recorded run.
 class TimeAdvance {

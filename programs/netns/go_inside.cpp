@@ -97,7 +97,7 @@ Launch launch_of(const RunState& run, std::vector<std::string> command) {
   if (command.empty()) command = {shell()};
   const char* const path = std::getenv("PATH");
   const auto program = program_file(command[0], path == nullptr ? "/usr/bin:/bin" : path);
-  require_preloaded(program, factor_of(run));
+  require_preloaded(program, {.factor = factor_of(run)});
   const std::string folder = std::filesystem::current_path().string();
   return {program.string(),
           std::move(command),

@@ -11,7 +11,9 @@
 #include <bit>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <deque>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -35,6 +37,16 @@ AgentNetwork unpack_agent(Unpacker& in) {
   return agent;
 }
 
+/// The number that a child has in the agent that it is in; 0: it is not known.
+pid_t number_inside(pid_t child) {
+  std::ifstream status(fmt::format("/proc/{}/status", child));
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with("NSpid:")) continue;
+    return static_cast<pid_t>(std::strtol(line.c_str() + line.rfind('\t'), nullptr, 10));
+  }
+  return 0;
+}
+
 /// The first process of a run: makes the agents, starts and reaps programs. It ends when baraka
 /// closes its end of the socket; the kernel then kills the rest.
 class Init {
@@ -55,7 +67,8 @@ class Init {
     if (!message) return;
     Unpacker in(message->content);
     RunOfAgents run;
-    run.factor = std::bit_cast<double>(in.number());
+    run.time.is_held = in.number<int>() != 0;
+    run.time.factor = std::bit_cast<double>(in.number());
     for (auto left = in.number(); left > 0; --left) run.agents.push_back(unpack_agent(in));
     run.shown = in.texts();
     for (AgentMade& made : make_agents(run)) {
@@ -125,6 +138,7 @@ class Init {
       programs_[child] = {agent, ++started_};
       Packer out;
       out.put(started_);
+      out.put(number_inside(child));
       send(control_, MessageKind::kStarted, out.bytes());
     } catch (const std::exception& error) {
       send(control_, MessageKind::kRefused, error.what());

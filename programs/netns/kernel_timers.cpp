@@ -54,4 +54,16 @@ void stretch_kernel_timers(double factor) {
   }
 }
 
+void hold_kernel_timers() {
+  constexpr double kSlowest = 1e-4;  // a second becomes three hours
+  stretch_kernel_timers(kSlowest);
+  const std::string ipv6 = "/proc/sys/net/ipv6/";
+  for (const std::string& file :
+       {ipv6 + "conf/" + kInterface + "/router_solicitations", ipv6 + "auto_flowlabels"}) {
+    const FileDescriptor opened(open(file.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!opened.is_open() && errno == ENOENT) continue;  // a kernel without IPv6
+    if (!opened.is_open() || pwrite(opened.get(), "0", 1, 0) != 1) fail(file);
+  }
+}
+
 }  // namespace programs::netns

@@ -14,4 +14,10 @@ namespace programs::netns {
 /// @param factor  0.01 .. 1. @throws std::runtime_error  with the file that cannot be written.
 void stretch_kernel_timers(double factor);
 
+/// For lock-step, in which virtual time may stand or run far ahead: none of these timers is to
+/// expire while a run lasts, nor does the kernel send anything by a timer or at random: router
+/// solicitations, flow labels. What it sends for multicast groups, its users drop.
+/// @throws std::runtime_error  naming the file that cannot be written.
+void hold_kernel_timers();
+
 }  // namespace programs::netns

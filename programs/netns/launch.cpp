@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sched.h>
+#include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -15,6 +16,7 @@
 
 #include "programs/netns/pipe.h"
 #include "programs/netns/shown.h"
+#include "programs/netns/wait_page.h"
 
 namespace programs::netns {
 namespace {
@@ -100,6 +102,12 @@ std::string_view name_of(std::string_view variable) {
   return variable.substr(0, variable.find('='));
 }
 
+/// Whether the environment is one of lock-step.
+bool is_held(const std::vector<std::string>& environment) {
+  return std::ranges::any_of(environment,
+                             [](const std::string& one) { return name_of(one) == kSlotVariable; });
+}
+
 /// Whether the environment slows time: see inside(). No factor exceeds 1.
 bool is_slowed(const std::vector<std::string>& environment) {
   constexpr std::string_view kVariable = "BARAKA_DILATION=";
@@ -126,7 +134,10 @@ void become(const Launch& launch) {
   if (limit_before) setrlimit(RLIMIT_NOFILE, &*limit_before);
   // A program that gets another user or more rights from its file does not load the library:
   // ld.so(8).
-  if (is_slowed(launch.environment)) prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  if (is_slowed(launch.environment) || is_held(launch.environment))
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  // Equal runs have equal addresses: some programs order things by them.
+  if (is_held(launch.environment)) personality(ADDR_NO_RANDOMIZE);
   execve(launch.program.c_str(), pointers_to(launch.arguments).data(),
          pointers_to(launch.environment).data());
 }

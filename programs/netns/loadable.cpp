@@ -125,10 +125,16 @@ std::optional<std::string> why_not_preloaded(const std::filesystem::path& progra
   return why_not_at(program, kMostScripts);
 }
 
-void require_preloaded(const std::filesystem::path& program, double factor) {
-  if (factor == 1) return;
+void require_preloaded(const std::filesystem::path& program, const ProgramTime& time) {
+  if (!time.needs_library()) return;
   const auto why = why_not_preloaded(program);
   if (!why) return;
+  if (time.is_held) {
+    throw std::runtime_error(
+        fmt::format("{} {}, so lock-step cannot hold it; run it in real time (--pace realtime), or "
+                    "use a dynamically linked one",
+                    program.string(), *why));
+  }
   throw std::runtime_error(
       fmt::format("{} {}, so its time cannot be slowed; run it at a factor of 1 (--pace realtime), "
                   "or use a dynamically linked one",

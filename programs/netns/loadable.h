@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "programs/netns/program_time.h"
+
 namespace programs::netns {
 
 /// Finds the file of a program: the name itself if it has a slash, else the first match in the
@@ -17,7 +19,7 @@ std::filesystem::path program_file(const std::string& name, const std::string& f
 std::optional<std::string> why_not_preloaded(const std::filesystem::path& program);
 
 /// Checks that the library will be preloaded; called before a program is started.
-/// @throws std::runtime_error  the library would be ignored, and the factor is not 1.
-void require_preloaded(const std::filesystem::path& program, double factor);
+/// @throws std::runtime_error  the library would be ignored, and is needed.
+void require_preloaded(const std::filesystem::path& program, const ProgramTime& time);
 
 }  // namespace programs::netns

@@ -22,7 +22,7 @@ enum class MessageKind : std::uint32_t {
   kHolder,   ///< Process id of init in the holder's namespace.
   kAgent,    ///< Descriptors of an agent: TAP, its counters, its page.
   kReady,    ///< Everything has been made.
-  kStarted,  ///< Number of the program.
+  kStarted,  ///< Number of the program, and its process id inside.
   kRefused,  ///< The reason, for display.
   kCpu,      ///< Processor time, ns.
   kIcmp,     ///< icmp_not_sent() of each agent.

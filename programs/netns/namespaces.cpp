@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <bit>
@@ -34,7 +35,8 @@ std::vector<std::string> texts_of(const std::vector<std::filesystem::path>& path
 /// @param shown  to the programs of all agents.
 std::string packed(const Settings& settings, const std::vector<std::filesystem::path>& shown) {
   Packer out;
-  out.put(std::bit_cast<std::uint64_t>(settings.factor));
+  out.put(settings.time.is_held);
+  out.put(std::bit_cast<std::uint64_t>(settings.time.factor));
   out.put(settings.agents.size());
   for (const AgentNetwork& agent : settings.agents) {
     out.put(std::string_view(agent.agent));
@@ -87,8 +89,9 @@ std::filesystem::path preloadable(const std::filesystem::path& library) {
 struct Namespaces::State {
   explicit State(const Settings& given)
       : settings(given),
-        library(preloadable(installed_file(given.programs, "libbaraka_dilate.so"))),
-        dilation(dilation_from_now(given.factor)),
+        library(preloadable(installed_file(
+            given.programs, given.time.is_held ? "libbaraka_lockstep.so" : "libbaraka_dilate.so"))),
+        dilation(dilation_from_now(given.time.is_held ? 1 : given.time.factor)),
         holder(installed_file(given.programs, "baraka-holder"), given.state_folder) {}
 
   /// Receives messages until everything has been made.
@@ -126,6 +129,7 @@ struct Namespaces::State {
       return FileDescriptor(fcntl(message.descriptors.at(i).get(), F_DUPFD_CLOEXEC, 0));
     };
     agents.push_back({taken(0), taken(1), MappedPage(message.descriptors.at(2))});
+    agents.back().page.waits().seed = settings.seed * 65'537 + network.id;
     (*agents.back().page)
         .set_interface({network.address, static_cast<std::uint32_t>(network.mtu),
                         link_local_address(network.id), unique_local_address(network.id)});
@@ -191,14 +195,15 @@ const std::string& Namespaces::why_only_user_0() const { return state_->why_alon
 
 int Namespaces::tap(std::size_t agent) const { return state_->agents.at(agent).tap.get(); }
 
-std::uint32_t Namespaces::start(std::size_t agent, const Command& command) {
+Started Namespaces::start(std::size_t agent, const Command& command) {
   std::vector<std::string> given;
   for (const auto& [name, value] : command.environment)
     given.push_back(fmt::format("{}={}", name, value));
+  if (command.slot) given.push_back(fmt::format("{}={}", kSlotVariable, *command.slot));
   const std::vector<std::string> environment = merged(variables_of_process(), given);
   if (command.arguments.empty()) throw std::runtime_error("a program has no name");
   const auto program = program_file(command.arguments[0], value_of(environment, "PATH"));
-  require_preloaded(program, state_->settings.factor);
+  require_preloaded(program, state_->settings.time);
   const std::filesystem::path folder =
       command.folder.empty() ? std::filesystem::current_path() : command.folder;
   Packer out;
@@ -214,7 +219,10 @@ std::uint32_t Namespaces::start(std::size_t agent, const Command& command) {
   std::vector<int> descriptors{log.get()};
   descriptors.insert(descriptors.end(), command.inherited.begin(), command.inherited.end());
   send(state_->holder.control(), MessageKind::kStart, out.bytes(), descriptors);
-  return Unpacker(state_->answer().content).number<std::uint32_t>();
+  const Message answer = state_->answer();
+  Unpacker in(answer.content);
+  const auto number = in.number<std::uint32_t>();
+  return {number, in.number<pid_t>()};
 }
 
 int Namespaces::descriptor() const { return state_->holder.events(); }
@@ -255,6 +263,16 @@ std::vector<std::pair<std::string, std::uint64_t>> Namespaces::icmp_not_sent() c
 }
 
 RoomPage& Namespaces::room(std::size_t agent) { return *state_->agents.at(agent).page; }
+
+WaitPage& Namespaces::waits(std::size_t agent) { return state_->agents.at(agent).page.waits(); }
+
+ino_t Namespaces::processes(std::size_t agent) const {
+  const std::string path = fmt::format("/proc/{}/fd/{}", state_->run.init.number,
+                                       state_->run.agents.at(agent).processes);
+  struct stat space {};
+  if (stat(path.c_str(), &space) != 0) fail(path);
+  return space.st_ino;
+}
 
 std::uint64_t Namespaces::tx_dropped(std::size_t agent) const {
   std::array<char, 4096> text{};

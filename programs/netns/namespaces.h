@@ -1,14 +1,19 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "programs/netns/program_time.h"
 #include "programs/netns/room_page.h"
+#include "programs/netns/wait_page.h"
 
 namespace programs::netns {
 
@@ -26,13 +31,14 @@ struct AgentNetwork {
 
 struct Settings {
   std::vector<AgentNetwork> agents;  ///< At least one.
-  double factor = 1;  ///< Factor of the programs' time, 0.01 .. 1, see programs/preload.
+  ProgramTime time;                  ///< See programs/preload and programs/waits.
+  std::uint64_t seed = 1;            ///< Seed of the programs' entropy in lock-step.
   /// Results folder, for kStateFile; empty: none is written. May be renamed during the run.
   std::filesystem::path state_folder;
   /// Files and folders of the host's /tmp, /run and /dev/shm that all programs see: see Namespaces.
   std::vector<std::filesystem::path> shown;
-  /// Folder with baraka-holder and libbaraka_dilate.so; empty: the folder of this program, or
-  /// ../lib/baraka relative to it.
+  /// Folder with baraka-holder and the libraries to be preloaded; empty: the folder of this
+  /// program, or ../lib/baraka relative to it.
   std::filesystem::path programs;
 };
 
@@ -48,6 +54,13 @@ struct Command {
   /// Descriptors of this process that the program keeps, numbered from 3 on in this order. Those of
   /// the preloaded library and of the C library are numbered above them.
   std::vector<int> inherited;
+  std::optional<std::size_t> slot{};  ///< In lock-step: reserved for it in the agent's WaitPage.
+};
+
+/// A program that runs.
+struct Started {
+  std::uint32_t program = 0;  ///< Its number, from 1 on.
+  pid_t process = 0;          ///< Its process, as its agent numbers it.
 };
 
 /// A program that has ended.
@@ -73,10 +86,10 @@ struct Ended {
 /// neighbours, fragments and multicast groups are stretched by 1/factor; those of TCP are not.
 ///
 /// Programs run as user 0 of the agent's own user namespace, which is the caller outside, and have
-/// `libbaraka_dilate.so` preloaded at every factor; IdMapper describes which other users exist.
-/// Mounts cannot be unmounted inside. /sys is read-only, and so is /proc except for the files of
-/// processes and of the network. No privilege is needed except read-write access to /dev/net/tun
-/// and permission to make user namespaces.
+/// `libbaraka_dilate.so` preloaded at every factor, in lock-step `libbaraka_lockstep.so`;
+/// IdMapper describes which other users exist. Mounts cannot be unmounted inside. /sys is
+/// read-only, and so is /proc except for the files of processes and of the network. No privilege is
+/// needed except read-write access to /dev/net/tun and permission to make user namespaces.
 ///
 /// One thread, which must live as long as this object: the kernel kills the holder when it ends.
 class Namespaces {
@@ -97,11 +110,10 @@ class Namespaces {
   /// Settings::agents.
   int tap(std::size_t agent) const;
 
-  /// Starts a program inside an agent, in a session of its own; it is running when this returns.
-  /// @return its number, from 1 on.
-  /// @throws std::runtime_error  the program is not found or is not executable, or it cannot be
-  /// slowed at a factor other than 1 (statically linked, or for another machine).
-  std::uint32_t start(std::size_t agent, const Command& command);
+  /// Starts a program inside an agent; it has a session of its own and runs when this returns.
+  /// @throws std::runtime_error  it is not found, is no program, or cannot be slowed or held where
+  ///   that is needed (statically linked, another machine's).
+  Started start(std::size_t agent, const Command& command);
 
   /// Readable when a program has ended, or the namespaces are gone.
   int descriptor() const;
@@ -115,8 +127,13 @@ class Namespaces {
   /// The room of an agent, for back-pressure: the caller must publish to it, see RoomPage.
   RoomPage& room(std::size_t agent);
 
-  /// Agents for which the kernel could not send ICMP messages, see icmp.h, with their number:
-  /// packets that never arrived at wlan0.
+  /// For lock-step: see programs/lockstep.
+  WaitPage& waits(std::size_t agent);
+  /// Inode of the agent's namespace of process numbers. @throws std::runtime_error  it is gone.
+  ino_t processes(std::size_t agent) const;
+
+  /// Agents for which the kernel was to send messages of ICMP and did not, see icmp.h, and how
+  /// many: packets that never came to wlan0.
   std::vector<std::pair<std::string, std::uint64_t>> icmp_not_sent() const;
 
   /// Frames that the kernel dropped because the TAP was full: a counter of wlan0. Must stay 0.

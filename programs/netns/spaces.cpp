@@ -72,7 +72,7 @@ FileDescriptor make_page() {
   constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
   FileDescriptor page(memfd_create("baraka-room", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!page.is_open() || fchmod(page.get(), 0666) != 0 ||
-      ftruncate(page.get(), sizeof(RoomPage)) != 0 || fcntl(page.get(), F_ADD_SEALS, kSeals) != 0) {
+      ftruncate(page.get(), kRoomFileSize) != 0 || fcntl(page.get(), F_ADD_SEALS, kSeals) != 0) {
     fail(kRoomFile);
   }
   return page;
@@ -88,7 +88,11 @@ AgentEnds make_ends(const AgentNetwork& network, const AgentSpaces& spaces,
   AgentEnds ends;
   ends.tap = make_interfaces(network);
   keep_places(network, run.agents);
-  stretch_kernel_timers(run.factor);
+  if (run.time.is_held) {
+    hold_kernel_timers();
+  } else {
+    stretch_kernel_timers(run.time.factor);
+  }
   bound_icmp_errors(run.agents.size());
   write_file("/proc/sys/net/ipv4/ping_group_range",
              fmt::format("0 {}", std::min(last_group(), kMostOfKernel)));

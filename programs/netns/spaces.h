@@ -7,6 +7,7 @@
 
 #include "programs/netns/descriptor.h"
 #include "programs/netns/namespaces.h"
+#include "programs/netns/program_time.h"
 
 namespace programs::netns {
 
@@ -19,7 +20,7 @@ struct AgentSpaces {
 struct AgentEnds {
   FileDescriptor tap;       ///< The other end of wlan0.
   FileDescriptor counters;  ///< /proc/net/dev of the agent.
-  FileDescriptor page;      ///< Shared memory with the RoomPage of the agent.
+  FileDescriptor page;      ///< Shared memory with the RoomPage and the WaitPage of the agent.
 };
 
 struct AgentMade {
@@ -31,7 +32,7 @@ struct AgentMade {
 /// Settings that are common to all agents of a run.
 struct RunOfAgents {
   std::vector<AgentNetwork> agents;
-  double factor = 1;               ///< Factor of the programs' time.
+  ProgramTime time;
   std::vector<std::string> shown;  ///< As Settings::shown.
 };
 

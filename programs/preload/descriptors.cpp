@@ -5,9 +5,9 @@
 #include <sys/select.h>
 
 #include <csignal>
-#include <cstring>
 
 #include "programs/preload/converted.h"
+#include "programs/preload/descriptor_sets.h"
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
 #include "programs/preload/writable.h"
@@ -45,41 +45,14 @@ int poll_for_room(pollfd* descriptors, nfds_t count, programs::preload::Nanoseco
       [=] { return programs::preload::ready_without_room(descriptors, count); });
 }
 
-/// The sets of select(), which it overwrites.
-struct Sets {
-  fd_set *readable, *writable, *exceptional;
-};
-
-/// A copy of one set as the program passed it. The program's set may be shorter than an fd_set: it
-/// only needs to hold the descriptors below `count`.
-class Asked {
- public:
-  Asked(const fd_set* set, int count)
-      : size_(set == nullptr
-                  ? 0
-                  : static_cast<std::size_t>((count + NFDBITS - 1) / NFDBITS) * sizeof(fd_mask)) {
-    if (set != nullptr) std::memcpy(&kept_, set, size_);
-  }
-  void restore(fd_set* set) const {
-    if (set != nullptr) std::memcpy(set, &kept_, size_);
-  }
-
- private:
-  fd_set kept_{};
-  std::size_t size_;
-};
-
 /// pselect() for which a socket without room is not writable.
-int select_for_room(int count, const Sets& sets, programs::preload::Nanoseconds longest,
-                    const sigset_t* signals) {
-  const Asked readable(sets.readable, count), writable(sets.writable, count),
-      exceptional(sets.exceptional, count);
+int select_for_room(int count, const programs::preload::DescriptorSets& sets,
+                    programs::preload::Nanoseconds longest, const sigset_t* signals) {
+  const programs::preload::AskedSets asked(sets, count);
   return programs::preload::until_ready(
       longest,
       [&](const timespec* left) {
-        readable.restore(sets.readable);
-        writable.restore(sets.writable);
-        exceptional.restore(sets.exceptional);
+        asked.restore(sets);
         return BARAKA_NEXT(pselect)(count, sets.readable, sets.writable, sets.exceptional, left,
                                     signals);
       },

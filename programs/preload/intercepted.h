@@ -4,6 +4,10 @@
 
 #include <atomic>
 
+#ifdef BARAKA_CATCHES_SYSTEM_CALLS
+#include "programs/preload/let_pass.h"
+#endif
+
 namespace programs::preload {
 
 /// A function that is replaced by this library, as the next library has it, normally glibc, in its
@@ -25,11 +29,17 @@ class Intercepted {
   std::atomic<void*> found_ = nullptr;
 };
 
-/// Calls the original function: BARAKA_NEXT(poll)(descriptors, count, timeout).
-#define BARAKA_NEXT(name)                                          \
-  ([] {                                                            \
-    static constinit ::programs::preload::Intercepted call(#name); \
-    return reinterpret_cast<decltype(&::name)>(call.find());       \
+/// Calls the original function: BARAKA_NEXT(poll)(descriptors, count, timeout). In a library that
+/// catches system calls (let_pass.h), those of the function pass.
+#ifdef BARAKA_CATCHES_SYSTEM_CALLS
+#define BARAKA_PASSING ::programs::preload::passing
+#else
+#define BARAKA_PASSING
+#endif
+#define BARAKA_NEXT(name)                                                    \
+  ([] {                                                                      \
+    static constinit ::programs::preload::Intercepted call(#name);           \
+    return BARAKA_PASSING(reinterpret_cast<decltype(&::name)>(call.find())); \
   }())
 
 }  // namespace programs::preload

@@ -1,47 +1,23 @@
 #include "programs/preload/room.h"
 
 #include <fcntl.h>
-#include <linux/futex.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <climits>
 #include <cstdlib>
 #include <utility>
-
-#include "programs/preload/converted.h"
-#include "programs/preload/intercepted.h"
 
 namespace programs::preload {
 namespace {
 
 netns::RoomPage* page = nullptr;
 
-/// Send time-out of a socket in the kernel's time; negative: none.
-Nanoseconds send_timeout(int socket) {
-  timeval timeout{};
-  socklen_t length = sizeof timeout;
-  if (BARAKA_NEXT(getsockopt)(socket, SOL_SOCKET, SO_SNDTIMEO, &timeout, &length) != 0) return -1;
-  const Nanoseconds time = nanoseconds(timeout);
-  return time == 0 ? -1 : time;
-}
-
 bool is_blocking(int socket, int flags) {
   return (flags & MSG_DONTWAIT) == 0 && (fcntl(socket, F_GETFL) & O_NONBLOCK) == 0;
 }
-
-/// Counts this thread among those that wait, while the object exists.
-class Waiting {
- public:
-  Waiting() { page->waiting().fetch_add(1); }
-  ~Waiting() { page->waiting().fetch_sub(1); }
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
-};
 
 /// The places that one datagram has so far.
 class Places {
@@ -97,11 +73,11 @@ int wait_for_change(std::uint32_t seen, Nanoseconds left, bool is_collecting) {
 }
 
 int wait_for_places(Places& places, Nanoseconds longest) {
-  const Nanoseconds begin = kernel_time(CLOCK_MONOTONIC);
+  const Nanoseconds begin = time_of_waits();
   for (;;) {
     const std::uint32_t seen = page->change().load();
     if (places.take()) return 0;
-    const Nanoseconds passed = longest < 0 ? 0 : kernel_time(CLOCK_MONOTONIC) - begin;
+    const Nanoseconds passed = longest < 0 ? 0 : time_of_waits() - begin;
     const Nanoseconds left = longest < 0 ? -1 : std::max<Nanoseconds>(longest - passed, 0);
     const int error = wait_for_change(seen, left, places.is_collecting());
     if (error != 0) return error;
@@ -126,15 +102,6 @@ __attribute__((constructor)) static void map_page() {
 
 netns::RoomPage* room() { return page; }
 
-int wait_for_room(std::uint32_t seen, Nanoseconds longest) {
-  const timespec time = to_timespec(longest);
-  // If there was new room after `seen`, the futex has changed, and the call does not wait.
-  const Waiting waiting;
-  const long status = BARAKA_NEXT(syscall)(SYS_futex, &page->change(), FUTEX_WAIT, seen,
-                                           longest < 0 ? nullptr : &time, nullptr, 0);
-  return status == 0 || errno == EAGAIN ? 0 : errno;
-}
-
 int take_places(int socket, std::uint32_t fragments, int flags, std::uint32_t& places) {
   places = page->places_for(fragments);
   if (page->reserve(places)) return 0;
@@ -149,8 +116,7 @@ void return_places(std::uint32_t places, bool is_sent) {
   if (is_sent) return page->finish(places);
   page->give_back(places);
   page->change().fetch_add(1);
-  if (page->waiting().load() == 0) return;
-  BARAKA_NEXT(syscall)(SYS_futex, &page->change(), FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+  wake_for_room();
 }
 
 }  // namespace programs::preload

@@ -15,6 +15,15 @@ netns::RoomPage* room();
 /// @return 0, or ETIMEDOUT, or EINTR.
 int wait_for_room(std::uint32_t seen, Nanoseconds longest);
 
+/// Wakes whoever waits for room, because there may be some now.
+void wake_for_room();
+
+/// SO_SNDTIMEO of a socket; negative: none.
+Nanoseconds send_timeout(int socket);
+
+/// The clock by which wait_for_room() and send_timeout() count.
+Nanoseconds time_of_waits();
+
 /// Takes places for data that a socket is about to send, and waits for them as the socket would
 /// wait: without limit, up to its SO_SNDTIMEO, or not at all.
 /// @param fragments  at least 1. @param flags  of send().

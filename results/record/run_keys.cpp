@@ -30,6 +30,10 @@ std::vector<RunKey> network_run_keys() {
       {"cpu_load", "", "with networks: processor time of baraka over wall time"},
       {"cpu_load_programs", "",
        "with networks: processor time of all programs inside agents over wall time"},
+      {"program_turns", "", "programs in lock-step: how often a thread of theirs went on"},
+      {"program_waits_ended", "", "programs in lock-step: waits that ended at their deadline"},
+      {"program_spins", "",
+       "programs in lock-step: how often a thread that only looked at the clock was put to sleep"},
       {"warnings", "", "with networks: reasons to doubt this result, one per line"},
       {"open_loop", "", "of a repetition: the settings that differ from the recorded run"},
   };
@@ -86,11 +90,12 @@ const std::vector<RunKey>& run_keys() {
 }
 
 bool is_count(const RunKey& key) {
-  static constexpr std::array<std::string_view, 15> kCounts{
-      "exit_status",         "events",          "exchanges",       "refused_actions",
-      "ode_messages",        "overruns",        "missed_cycles",   "command_timeouts",
-      "lost_events",         "entering_frames", "leaving_frames",  "entering_late_frames",
-      "leaving_late_frames", "frames_dropped",  "frames_not_taken"};
+  static constexpr std::array<std::string_view, 18> kCounts{
+      "exit_status",         "events",          "exchanges",        "refused_actions",
+      "ode_messages",        "overruns",        "missed_cycles",    "command_timeouts",
+      "lost_events",         "entering_frames", "leaving_frames",   "entering_late_frames",
+      "leaving_late_frames", "frames_dropped",  "frames_not_taken", "program_turns",
+      "program_waits_ended", "program_spins"};
   return std::ranges::find(kCounts, key.name) != kCounts.end();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "baraka/run/controllers/controllers_of_run.h"
+#include "programs/netns/program_time.h"
 #include "sim/scenario/scenario.h"
 
 namespace baraka::run::check {
@@ -15,7 +16,7 @@ struct RunMode {
   controllers::ControllersFrom controllers = controllers::ControllersFrom::kSpawn;
   bool has_domain = false;   ///< A DDS domain is used, even with controllers in this process.
   bool is_repeated = false;  ///< Repeats a record, without programs and commands from outside.
-  double factor = 1;         ///< Speed of the programs' time relative to wall time.
+  programs::netns::ProgramTime time{};  ///< Of programs.
 };
 
 /// Result of checking a scenario's controllers without running them.

@@ -26,7 +26,8 @@ std::string path_of(const sim::scenario::Program& program) {
 
 }  // namespace
 
-std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenario, double factor) {
+std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenario,
+                                           const programs::netns::ProgramTime& time) {
   std::vector<std::string> mistakes;
   std::set<std::string> said;
   for (const sim::scenario::PlannedProgram& planned : sim::scenario::plan_programs(scenario)) {
@@ -37,7 +38,7 @@ std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenar
     try {
       programs::netns::require_preloaded(
           programs::netns::program_file(filled_in(name, words), filled_in(path_of(program), words)),
-          factor);
+          time);
     } catch (const std::runtime_error& e) {
       std::string line = fmt::format("{}: command: {}", program.place, e.what());
       if (said.insert(line).second) mistakes.push_back(std::move(line));

@@ -17,7 +17,7 @@ CheckedScenario check_scenario(const std::filesystem::path& file,
   sim::scenario::Scenario& scenario = checked.scenario;
   ControllerFindings findings = check_controllers(scenario, mode);
   if (!mode.is_repeated) {
-    std::ranges::move(unusable_programs(scenario, mode.factor),
+    std::ranges::move(unusable_programs(scenario, mode.time),
                       std::back_inserter(findings.mistakes));
   }
   if (!findings.mistakes.empty()) {

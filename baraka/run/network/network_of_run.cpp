@@ -46,10 +46,12 @@ void go_before_others(bool before) {
                              &parameters);
 }
 
-programs::netns::Settings settings_of(const sim::scenario::Scenario& scenario, double factor,
+programs::netns::Settings settings_of(const sim::scenario::Scenario& scenario,
+                                      const programs::netns::ProgramTime& time,
                                       const std::filesystem::path& folder) {
   programs::netns::Settings settings;
-  settings.factor = factor;
+  settings.time = time;
+  settings.seed = scenario.simulation.seed;
   settings.state_folder = folder;
   for (const sim::agents::AgentConfig& agent : scenario.simulation.agents) {
     if (!agent.network) continue;
@@ -70,19 +72,25 @@ bool has_network(const sim::scenario::Scenario& scenario) {
 }
 
 NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario,
-                           const std::filesystem::path& file, double factor,
+                           const std::filesystem::path& file,
+                           const programs::netns::ProgramTime& time,
                            std::function<std::filesystem::path()> results)
     : scenario_(scenario),
       results_(std::move(results)),
       programs_(
-          scenario, [this](const ProgramsOfRun::Start& one) { return start(one); },
+          time.is_held ? sim::scenario::plan_held_programs(scenario)
+                       : sim::scenario::plan_programs(scenario),
+          [this](const ProgramsOfRun::Start& one) { return start(one); },
           [this](std::vector<std::uint8_t> end) {
+            if (lockstep_) return simulation_->arrive(kProgramsDoor, end);
             simulation_->outside().put(kProgramsDoor, std::move(end));
           }) {
   for (const sim::agents::AgentConfig& agent : scenario.simulation.agents) {
-    if (agent.network) agents_.push_back(agent.id);
+    if (!agent.network) continue;
+    agents_.push_back(agent.id);
+    names_.push_back(agent.name);
   }
-  programs::netns::Settings settings = settings_of(scenario, factor, results_());
+  programs::netns::Settings settings = settings_of(scenario, time, results_());
   settings.shown = {std::filesystem::absolute(file).parent_path()};
   namespaces_.emplace(settings);
   const std::string& why = namespaces_->why_only_user_0();
@@ -95,7 +103,6 @@ NetworkOfRun::~NetworkOfRun() = default;
 
 void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::RealTimeClock& clock) {
   simulation_ = &simulation;
-  wall_ = &clock.wall();
   ::prctl(PR_SET_TIMERSLACK, kTimerSlack, 0, 0, 0);
   go_before_others(true);
   std::vector<TapBridge::Tap> taps;
@@ -105,10 +112,55 @@ void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::RealTimeCl
   bridge_.emplace(taps, clock);
   simulation.connect_air(*bridge_, *bridge_);
   clock.attend_to(*this);
-  begun_at_ = clock.wall().now();
+  note_begin(clock.wall());
+}
+
+void NetworkOfRun::note_begin(hal::Clock& wall) {
+  wall_ = &wall;
+  begun_at_ = wall.now();
   overflows_before_ = neighbour_table_overflows();
   cpu_before_ = cpu_seconds();
   programs_cpu_before_ = namespaces_->program_cpu_seconds();
+}
+
+LockstepBridge::Station NetworkOfRun::station(std::size_t i, pace::WallPace& pace) {
+  const std::string& name = names_[i];
+  return {
+      .agent = agents_[i],
+      .tap = namespaces_->tap(i),
+      .room = &namespaces_->room(i),
+      .waits = &namespaces_->waits(i),
+      .settings = {
+          .agent = name,
+          .processes = namespaces_->processes(i),
+          .may_go_on = [&pace] { return !pace.is_broken_off(); },
+          .warn = [name](const std::string& what) { hal::log::warning({}, name, "{}", what); }}};
+}
+
+void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& pace) {
+  simulation_ = &simulation;
+  std::vector<LockstepBridge::Station> stations;
+  for (std::size_t i = 0; i < agents_.size(); ++i) stations.push_back(station(i, pace));
+  lockstep_.emplace(
+      std::move(stations),
+      LockstepBridge::Programs{.next_start = [this] { return programs_.next(); },
+                               .start_next =
+                                   [this](hal::Time now) {
+                                     const hal::AgentId agent = *programs_.next_agent();
+                                     programs_.start_next(now, results_());
+                                     return agent;
+                                   },
+                               .on_ended = [this](hal::AgentId, hal::Time now,
+                                                  std::size_t count) { await_ended(now, count); }});
+  simulation.connect_air(*lockstep_, *lockstep_);
+  note_begin(pace.clock());
+}
+
+/// The end of a process is seen before the namespaces tell of it.
+void NetworkOfRun::await_ended(hal::Time now, std::size_t count) {
+  constexpr int kLongest = 1000;  // ms
+  pollfd ended{.fd = namespaces_->descriptor(), .events = POLLIN, .revents = 0};
+  for (std::size_t seen = 0; seen<count&& ::poll(&ended, 1, kLongest)> 0;) seen += take_ended(now);
 }
 
 std::optional<std::size_t> NetworkOfRun::index_of(hal::AgentId agent) const {
@@ -131,10 +183,12 @@ void NetworkOfRun::attend(hal::Time now) {
   if (programs_.next() && *programs_.next() <= now) programs_.start_next(now, results_());
 }
 
-void NetworkOfRun::take_ended(hal::Time now) {
-  for (const programs::netns::Ended& one : namespaces_->take_ended()) {
+std::size_t NetworkOfRun::take_ended(hal::Time now) {
+  const std::vector<programs::netns::Ended> all = namespaces_->take_ended();
+  for (const programs::netns::Ended& one : all) {
     programs_.on_end(now, agents_.at(one.agent), one.program, one.status);
   }
+  return all.size();
 }
 
 std::uint32_t NetworkOfRun::start(const ProgramsOfRun::Start& start) {
@@ -152,13 +206,26 @@ std::uint32_t NetworkOfRun::start(const ProgramsOfRun::Start& start) {
     command.shown.emplace_back(sim::scenario::filled_in(path, words));
   }
   command.log = std::filesystem::absolute(start.folder / planned.log);
-  return namespaces_->start(*index_of(planned.agent), command);
+  const std::size_t index = *index_of(planned.agent);
+  if (!lockstep_) return namespaces_->start(index, command).program;
+  programs::lockstep::AgentWaits& waits = lockstep_->waits(planned.agent);
+  command.slot = waits.reserve();
+  try {
+    const programs::netns::Started started = namespaces_->start(index, command);
+    waits.started(*command.slot, started.process);
+    return started.program;
+  } catch (...) {
+    waits.not_started(*command.slot);
+    throw;
+  }
 }
 
 void NetworkOfRun::sum_up(NetworkSummary& summary) const {
-  const double wall = bridge_ ? hal::to_seconds(wall_->now() - begun_at_) : 0;
+  const bool is_connected = bridge_ || lockstep_;
+  const double wall = is_connected ? hal::to_seconds(wall_->now() - begun_at_) : 0;
+  if (lockstep_) summary.lockstep = {lockstep_->counts(), lockstep_->spins()};
   if (wall > 0) {
-    summary.frames_not_taken = bridge_->not_taken();
+    summary.frames_not_taken = bridge_ ? bridge_->not_taken() : lockstep_->not_taken();
     summary.cpu_load = (cpu_seconds() - cpu_before_) / wall;
     summary.cpu_load_programs = (namespaces_->program_cpu_seconds() - programs_cpu_before_) / wall;
   }
@@ -180,6 +247,7 @@ NetworkSummary NetworkOfRun::finish() {
     hal::log::warning({}, "run", "{}", e.what());  // the namespaces are gone
   }
   summary.programs = programs_.rows();
+  if (lockstep_) lockstep_->let_go();
   namespaces_.reset();
   return summary;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "baraka/run/network/lockstep_bridge.h"
 #include "baraka/run/network/programs_of_run.h"
 #include "baraka/run/network/tap_bridge.h"
 #include "baraka/run/pace/background_work.h"
@@ -22,6 +23,12 @@ namespace baraka::run::network {
 /// Whether any agent of the scenario has a network.
 bool has_network(const sim::scenario::Scenario& scenario);
 
+/// What it took to hold the programs of a run in lock-step.
+struct LockstepSummary {
+  programs::lockstep::AgentWaits::Counts counts;
+  std::uint64_t spins = 0;  ///< Times that a thread which only looked at the clock had to sleep.
+};
+
 /// Counts and loads of the programs and their networks in a run.
 struct NetworkSummary {
   using ByAgent = std::vector<std::pair<std::string, std::uint64_t>>;
@@ -34,6 +41,7 @@ struct NetworkSummary {
   /// Number of ICMP messages (including echo replies) that the kernel suppressed, by agent; only
   /// agents with any.
   ByAgent icmp_not_sent;
+  std::optional<LockstepSummary> lockstep;
   double cpu_load = 0;  ///< Processor time of this process / wall time.
   double cpu_load_programs = 0;
   std::vector<results::record::ProgramRow> programs;
@@ -41,7 +49,7 @@ struct NetworkSummary {
 
 /// The namespaces, interfaces and programs of a run. One thread.
 ///
-///   NetworkOfRun network(scenario, factor, folder);      // before other threads, and the run
+///   NetworkOfRun network(scenario, file, time, folder);      // before other threads, and the run
 ///   network.connect(simulation, clock);
 ///   simulation.follow(until, clock);
 ///   network.finish();
@@ -49,16 +57,20 @@ class NetworkOfRun final : private pace::BackgroundWork {
  public:
   /// Creates the namespaces; prints on standard error what programs will lack there.
   /// @param file  of the scenario; programs can see its folder.
-  /// @param factor  speed of the programs' clock relative to wall time.
+  /// @param time  how time passes for the programs.
   /// @param results  returns the current path of the folder of results.
   /// @throws std::runtime_error  as netns::Namespaces.
   NetworkOfRun(const sim::scenario::Scenario& scenario, const std::filesystem::path& file,
-               double factor, std::function<std::filesystem::path()> results);
+               const programs::netns::ProgramTime& time,
+               std::function<std::filesystem::path()> results);
   ~NetworkOfRun() override;
 
   /// Connects the simulation to the interfaces, and the clock to the programs. Both must exist
   /// until finish() returns.
   void connect(sim::agents::Simulation& simulation, pace::RealTimeClock& clock);
+
+  /// The same in lock-step, before simulation.run().
+  void connect(sim::agents::Simulation& simulation, pace::WallPace& pace);
 
   /// For starting other programs inside. @pre finish() has not been called.
   programs::netns::Namespaces& namespaces() { return *namespaces_; }
@@ -78,18 +90,23 @@ class NetworkOfRun final : private pace::BackgroundWork {
   void after_wait() override { bridge_->after_wait(); }
 
   std::uint32_t start(const ProgramsOfRun::Start& start);
-  void take_ended(hal::Time now);
+  std::size_t take_ended(hal::Time now);
+  void await_ended(hal::Time now, std::size_t count);
+  LockstepBridge::Station station(std::size_t i, pace::WallPace& pace);
+  void note_begin(hal::Clock& wall);
   void sum_up(NetworkSummary& summary) const;
 
   const sim::scenario::Scenario& scenario_;
   std::function<std::filesystem::path()> results_;
   std::vector<hal::AgentId> agents_;  ///< In the order of the namespaces.
+  std::vector<std::string> names_;    ///< Of the agents.
   std::optional<programs::netns::Namespaces> namespaces_;
   ProgramsOfRun programs_;
   sim::agents::Simulation* simulation_ = nullptr;
   hal::Clock* wall_ = nullptr;
   std::optional<TapBridge> bridge_;
-  hal::Time begun_at_{};  ///< Wall time of the start.
+  std::optional<LockstepBridge> lockstep_;  ///< In place of bridge_.
+  hal::Time begun_at_{};                    ///< Wall time of the start.
   std::optional<std::uint64_t> overflows_before_;
   double cpu_before_ = 0, programs_cpu_before_ = 0;  ///< s
 };

@@ -60,6 +60,34 @@ std::string icmp_warning(const NetworkSummary::ByAgent& not_sent) {
       sum, names, most.size() > kMostNames ? ", ..." : "");
 }
 
+/// What was lost between programs and the air.
+void add_losses(const NetworkSummary& network, std::vector<std::string>& lines) {
+  if (network.frames_dropped > 0) {
+    lines.push_back(fmt::format(
+        "the kernel dropped {} frames of programs before they came on the air: this result is not "
+        "what the radio would have done",
+        network.frames_dropped));
+  }
+  if (network.frames_not_taken > 0) {
+    lines.push_back(fmt::format("{} frames off the air found their agent's wlan0 shut down",
+                                network.frames_not_taken));
+  }
+  if (network.neighbours_without_room > 0) {
+    lines.push_back(fmt::format(
+        "the kernel's table of neighbours, which all agents and runs of this computer share, was "
+        "full {} times: addresses were not found, and packets not sent; let it hold the square of "
+        "the number of agents: sysctl net.ipv4.neigh.default.gc_thresh3, and "
+        "net.ipv6.neigh.default.gc_thresh3",
+        network.neighbours_without_room));
+  }
+  if (!network.icmp_not_sent.empty()) lines.push_back(icmp_warning(network.icmp_not_sent));
+}
+
+void print_held(const LockstepSummary& held) {
+  fmt::print("program_turns: {}\nprogram_waits_ended: {}\nprogram_spins: {}\n", held.counts.turns,
+             held.counts.expired, held.spins);
+}
+
 }  // namespace
 
 std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
@@ -81,25 +109,7 @@ std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
   };
   judge(air.entering, "programs sent");
   judge(air.leaving, "programs received");
-  if (network.frames_dropped > 0) {
-    lines.push_back(fmt::format(
-        "the kernel dropped {} frames of programs before they came on the air: this result is not "
-        "what the radio would have done",
-        network.frames_dropped));
-  }
-  if (network.frames_not_taken > 0) {
-    lines.push_back(fmt::format("{} frames off the air found their agent's wlan0 shut down",
-                                network.frames_not_taken));
-  }
-  if (network.neighbours_without_room > 0) {
-    lines.push_back(fmt::format(
-        "the kernel's table of neighbours, which all agents and runs of this computer share, was "
-        "full {} times: addresses were not found, and packets not sent; let it hold the square of "
-        "the number of agents: sysctl net.ipv4.neigh.default.gc_thresh3, and "
-        "net.ipv6.neigh.default.gc_thresh3",
-        network.neighbours_without_room));
-  }
-  if (!network.icmp_not_sent.empty()) lines.push_back(icmp_warning(network.icmp_not_sent));
+  add_losses(network, lines);
   if (air.has_seen_tcp && factor != 1) {
     lines.push_back(fmt::format(
         "programs used TCP at {} of real time: its timers are not slowed, so its results do not "
@@ -109,9 +119,32 @@ std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
   return lines;
 }
 
+std::vector<std::string> held_network_warnings(const sim::agents::AirSummary& air,
+                                               const NetworkSummary& network) {
+  std::vector<std::string> lines;
+  add_losses(network, lines);
+  if (air.has_seen_tcp) {
+    lines.push_back(
+        "programs used TCP in lock-step: its timers are the kernel's and follow the wall clock, so "
+        "a "
+        "lost segment is sent again at no time of this run, and equal runs need not have equal "
+        "frames; take --pace realtime for it");
+  }
+  if (network.lockstep && network.lockstep->counts.unknown > 0) {
+    lines.push_back(fmt::format(
+        "{} waits of programs were in calls that lock-step does not know: what they waited for is "
+        "not known either",
+        network.lockstep->counts.unknown));
+  }
+  return lines;
+}
 void print_network(const sim::agents::AirSummary& air, const NetworkSummary& network) {
-  print_edge("entering", air.entering);
-  print_edge("leaving", air.leaving);
+  if (network.lockstep) {
+    print_held(*network.lockstep);
+  } else {
+    print_edge("entering", air.entering);
+    print_edge("leaving", air.leaving);
+  }
   for (const auto& [reason, frames] : air.refused) {
     fmt::print("frames_refused: {} ({})\n", frames, reason);
   }

@@ -15,6 +15,10 @@ std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
                                           const NetworkSummary& network, double factor,
                                           hal::Duration limit);
 
+/// The same of a run in lock-step, in which nothing is late.
+std::vector<std::string> held_network_warnings(const sim::agents::AirSummary& air,
+                                               const NetworkSummary& network);
+
 /// Prints the numbers as "key: value" lines on standard output.
 void print_network(const sim::agents::AirSummary& air, const NetworkSummary& network);
 

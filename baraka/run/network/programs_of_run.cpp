@@ -47,14 +47,18 @@ void open_programs_door(const sim::scenario::Scenario& scenario,
   });
 }
 
-ProgramsOfRun::ProgramsOfRun(const sim::scenario::Scenario& scenario, Starter start, Ender end)
-    : planned_(sim::scenario::plan_programs(scenario)),
-      start_(std::move(start)),
-      end_(std::move(end)) {}
+ProgramsOfRun::ProgramsOfRun(std::vector<sim::scenario::PlannedProgram> planned, Starter start,
+                             Ender end)
+    : planned_(std::move(planned)), start_(std::move(start)), end_(std::move(end)) {}
 
 std::optional<hal::Time> ProgramsOfRun::next() const {
   if (next_ == planned_.size()) return std::nullopt;
-  return hal::Time{} + planned_[next_].program->start;
+  return planned_[next_].start;
+}
+
+std::optional<hal::AgentId> ProgramsOfRun::next_agent() const {
+  if (next_ == planned_.size()) return std::nullopt;
+  return planned_[next_].agent;
 }
 
 void ProgramsOfRun::start_next(hal::Time now, const std::filesystem::path& results) {

@@ -40,11 +40,14 @@ class ProgramsOfRun {
   /// Tells the run to end. Its argument is the content of an arrival at kProgramsDoor.
   using Ender = std::function<void(std::vector<std::uint8_t>)>;
 
-  /// @param scenario  must outlive this object.
-  ProgramsOfRun(const sim::scenario::Scenario& scenario, Starter start, Ender end);
+  /// @param planned  sorted by start; what it points into must outlive this object.
+  ProgramsOfRun(std::vector<sim::scenario::PlannedProgram> planned, Starter start, Ender end);
 
   /// Simulated time at which the next program is due; none: all were started.
   std::optional<hal::Time> next() const;
+
+  /// The agent of that program.
+  std::optional<hal::AgentId> next_agent() const;
 
   /// Starts the next program. This takes about a millisecond of wall time, in which no frame moves.
   /// @throws std::runtime_error  it cannot be started: "file:line:column: programs: 'name' …".

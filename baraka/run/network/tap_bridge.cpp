@@ -6,22 +6,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 
+#include "baraka/run/network/tap.h"
 #include "hal/types/check.h"
-#include "sim/radio/mac_sap.h"
 
 namespace baraka::run::network {
 namespace {
-
-/// More than the Ethernet header and the largest payload, so that longer frames are recognised.
-constexpr std::size_t kBuffer = 64 + 2 * sim::radio::kMaxMsdu;
-
-std::uint32_t clamped(std::size_t frames) {
-  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max() / 2;
-  return static_cast<std::uint32_t>(std::min(frames, kMost));
-}
 
 [[noreturn]] void fail(const char* what) {
   throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
@@ -32,7 +23,7 @@ std::uint32_t clamped(std::size_t frames) {
 TapBridge::TapBridge(const std::vector<Tap>& taps, pace::RealTimeClock& clock)
     : clock_(clock),
       epoll_(::epoll_create1(EPOLL_CLOEXEC)),
-      buffer_(kBuffer),
+      buffer_(kFrameBuffer),
       events_(std::max<std::size_t>(1, taps.size())) {
   if (epoll_ < 0) fail("the agents' interfaces");
   for (const Tap& tap : taps) taps_.push_back({.tap = tap});
@@ -72,8 +63,8 @@ void TapBridge::on_room(hal::AgentId agent, const Room& room) {
   // Includes a program that has only begun to send: it may have been killed since.
   const bool is_one_sending = one.is_one_sending || one.tap.room->is_between(one.sent);
   if (!has_changed && !is_one_sending) return;
-  one.is_one_sending = one.tap.room->publish(one.sent, clamped(room.free),
-                                             std::max<std::uint32_t>(1, clamped(room.capacity)));
+  one.is_one_sending = one.tap.room->publish(
+      one.sent, frame_count(room.free), std::max<std::uint32_t>(1, frame_count(room.capacity)));
   one.told_sent = one.sent;
   one.told_room = room.free;
   one.is_told = true;

@@ -48,6 +48,15 @@ WallPace::Verdict WallPace::may_go_on(hal::Time next, const sim::agents::Progres
   return waited ? Verdict::kAskAgain : Verdict::kGoOn;
 }
 
+bool WallPace::is_broken_off() {
+  const hal::Time now = clock_.now();
+  if (started_ && now - saved_ >= 1s) {
+    settings_.once_a_second();
+    saved_ = now;
+  }
+  return interrupted();
+}
+
 bool WallPace::throttle(hal::Time next) {
   constexpr double kWorthSleeping = 1e-3, kSlice = 50e-3;  // s
   const double left = hal::to_seconds(next) / settings_.max_speed - wall_seconds();

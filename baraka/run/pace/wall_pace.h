@@ -40,6 +40,9 @@ class WallPace final : public sim::agents::Pace {
 
   Verdict may_go_on(hal::Time next, const sim::agents::Progress& progress) override;
 
+  /// Whether the run was interrupted: of a run that waits for programs between two instants.
+  bool is_broken_off();
+
   /// Ends the progress line.
   void end();
 

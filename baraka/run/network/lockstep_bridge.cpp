@@ -1,0 +1,122 @@
+#include "baraka/run/network/lockstep_bridge.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "baraka/run/network/tap.h"
+#include "hal/types/check.h"
+
+namespace baraka::run::network {
+namespace {
+
+std::int64_t nanoseconds(hal::Time time) { return time.time_since_epoch().count(); }
+
+}  // namespace
+
+LockstepBridge::LockstepBridge(std::vector<Station> stations, Programs programs)
+    : programs_(std::move(programs)), buffer_(kFrameBuffer) {
+  std::ranges::sort(stations, {}, &Station::agent);
+  all_.reserve(stations.size());
+  for (Station& one : stations) all_.push_back(std::make_unique<AgentPrograms>(std::move(one)));
+}
+
+const LockstepBridge::AgentPrograms& LockstepBridge::of(hal::AgentId agent) const {
+  const auto found =
+      std::ranges::lower_bound(all_, agent, {}, [](const auto& one) { return one->station.agent; });
+  BARAKA_CHECK(found != all_.end() && (*found)->station.agent == agent);
+  return **found;
+}
+
+LockstepBridge::AgentPrograms& LockstepBridge::of(hal::AgentId agent) {
+  return const_cast<AgentPrograms&>(std::as_const(*this).of(agent));
+}
+
+/// The write wakes whoever waits for the frame, so the clock is set before.
+void LockstepBridge::on_frame(hal::AgentId agent, hal::Time at,
+                              std::span<const std::uint8_t> ethernet) {
+  AgentPrograms& one = of(agent);
+  one.waits.set_time(nanoseconds(at));
+  one.kernel.on_received(ethernet);
+  const ssize_t written = ::write(one.station.tap, ethernet.data(), ethernet.size());
+  if (written != static_cast<ssize_t>(ethernet.size())) ++not_taken_;
+}
+
+void LockstepBridge::on_room(hal::AgentId agent, const Room& room) {
+  AgentPrograms& one = of(agent);
+  one.station.room->publish(one.sent, frame_count(room.free),
+                            std::max<std::uint32_t>(1, frame_count(room.capacity)));
+  if (room.free > 0) one.waits.wake_for_room();
+}
+
+void LockstepBridge::drain(AgentPrograms& one, std::int64_t now,
+                           const std::function<void(std::span<const std::uint8_t>)>& take) {
+  one.sent = one.station.room->sent();
+  for (;;) {
+    const ssize_t length = ::read(one.station.tap, buffer_.data(), buffer_.size());
+    if (length < 0 && errno == EINTR) continue;
+    if (length < 0 && errno == EAGAIN) return;
+    if (length <= 0) {
+      throw std::runtime_error(
+          fmt::format("the interface of an agent is gone: {}", std::strerror(errno)));
+    }
+    const auto frame =
+        one.kernel.on_sent(std::span(buffer_).first(static_cast<std::size_t>(length)), now);
+    if (!frame.empty()) take(frame);
+  }
+}
+
+bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
+                           const std::function<void(std::span<const std::uint8_t>)>& take) {
+  AgentPrograms& one = of(agent);
+  one.waits.set_time(nanoseconds(now));
+  one.waits.expire();
+  const bool goes_on = one.waits.settle();
+  one.kernel.repeat(nanoseconds(now), take);
+  drain(one, nanoseconds(now), take);
+  const std::size_t ended = one.waits.take_ended().size();
+  if (ended > 0) programs_.on_ended(agent, now, ended);
+  return goes_on;
+}
+
+bool LockstepBridge::waits_for_room(hal::AgentId agent) const {
+  return of(agent).waits.waits_for_room();
+}
+
+std::optional<hal::Time> LockstepBridge::deadline(hal::AgentId agent) const {
+  const AgentPrograms& one = of(agent);
+  std::optional<std::int64_t> next = one.waits.deadline();
+  const auto repeat = one.kernel.next();
+  if (repeat) next = std::min(next.value_or(*repeat), *repeat);
+  if (!next) return std::nullopt;
+  return hal::Time{hal::Duration{*next}};
+}
+
+void LockstepBridge::let_go() {
+  for (const auto& one : all_) one->waits.let_go();
+}
+
+programs::lockstep::AgentWaits::Counts LockstepBridge::counts() const {
+  programs::lockstep::AgentWaits::Counts sum;
+  for (const auto& one : all_) {
+    const auto& counts = one->waits.counts();
+    sum.turns += counts.turns;
+    sum.looks += counts.looks;
+    sum.expired += counts.expired;
+    sum.unknown += counts.unknown;
+  }
+  return sum;
+}
+
+std::uint64_t LockstepBridge::spins() const {
+  std::uint64_t sum = 0;
+  for (const auto& one : all_) sum += one->waits.spins();
+  return sum;
+}
+
+}  // namespace baraka::run::network

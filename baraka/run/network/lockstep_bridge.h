@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "programs/lockstep/agent_waits.h"
+#include "programs/lockstep/kernel_frames.h"
+#include "programs/netns/room_page.h"
+#include "sim/air/frame_sink.h"
+#include "sim/air/held_programs.h"
+
+namespace baraka::run::network {
+
+/// The TAP interfaces and programs of a run in lock-step. On the run's thread.
+class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPrograms {
+ public:
+  struct Station {
+    hal::AgentId agent;
+    int tap = -1;  ///< Non-blocking; each read or write is one frame.
+    programs::netns::RoomPage* room = nullptr;
+    programs::netns::WaitPage* waits = nullptr;
+    programs::lockstep::AgentWaits::Settings settings;
+  };
+  /// What the run does about programs.
+  struct Programs {
+    std::function<std::optional<hal::Time>()> next_start;
+    std::function<hal::AgentId(hal::Time now)> start_next;
+    /// Processes of programs of this agent have ended, as many.
+    std::function<void(hal::AgentId agent, hal::Time now, std::size_t count)> on_ended;
+  };
+
+  /// @param stations  what they point to outlives this.
+  LockstepBridge(std::vector<Station> stations, Programs programs);
+
+  void on_frame(hal::AgentId agent, hal::Time at, std::span<const std::uint8_t> ethernet) override;
+  void on_room(hal::AgentId agent, const Room& room) override;
+
+  std::optional<hal::Time> next_start() const override { return programs_.next_start(); }
+  hal::AgentId start_next(hal::Time now) override { return programs_.start_next(now); }
+  bool go_on(hal::AgentId agent, hal::Time now,
+             const std::function<void(std::span<const std::uint8_t>)>& take) override;
+  bool waits_for_room(hal::AgentId agent) const override;
+  std::optional<hal::Time> deadline(hal::AgentId agent) const override;
+
+  programs::lockstep::AgentWaits& waits(hal::AgentId agent) { return of(agent).waits; }
+
+  /// The run is over: programs may end as they like.
+  void let_go();
+
+  /// Number of received frames that an interface did not accept, because it was shut down.
+  std::uint64_t not_taken() const { return not_taken_; }
+  /// Of all agents.
+  programs::lockstep::AgentWaits::Counts counts() const;
+  std::uint64_t spins() const;
+
+ private:
+  struct AgentPrograms {
+    explicit AgentPrograms(Station&& one)
+        : station(std::move(one)), waits(*station.waits, std::move(station.settings)) {}
+
+    Station station;
+    programs::lockstep::AgentWaits waits;
+    programs::lockstep::KernelFrames kernel;
+    std::uint64_t sent = 0;  ///< RoomPage::sent() before the TAP was last seen empty.
+  };
+
+  AgentPrograms& of(hal::AgentId agent);
+  const AgentPrograms& of(hal::AgentId agent) const;
+  void drain(AgentPrograms& one, std::int64_t now,
+             const std::function<void(std::span<const std::uint8_t>)>& take);
+
+  std::vector<std::unique_ptr<AgentPrograms>> all_;  ///< By address.
+  Programs programs_;
+  std::uint64_t not_taken_ = 0;
+  std::vector<std::uint8_t> buffer_;
+};
+
+}  // namespace baraka::run::network

@@ -1,0 +1,356 @@
+#include "programs/lockstep/agent_waits.h"
+
+#include <fmt/format.h>
+#include <linux/futex.h>
+#include <sys/pidfd.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <ctime>
+#include <stdexcept>
+#include <utility>
+
+#include "programs/netns/descriptor.h"
+
+namespace programs::lockstep {
+namespace {
+
+using netns::SlotState;
+using netns::WaitKind;
+using netns::WaitPage;
+using netns::WaitSlot;
+
+constexpr std::int64_t kMicrosecond = 1000, kMillisecond = 1'000'000, kSecond = 1'000'000'000;
+constexpr int kEndWait = 63;  // programs/waits/turn.h
+
+std::int64_t wall_time() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * kSecond + now.tv_nsec;
+}
+
+void futex_wake(std::atomic<std::uint32_t>& word) {
+  syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0);
+}
+
+/// To an eventfd of another process, as if its timer had expired.
+bool write_to(pid_t process, int descriptor) {
+  const netns::FileDescriptor handle(static_cast<int>(syscall(SYS_pidfd_open, process, 0)));
+  const netns::FileDescriptor file(
+      static_cast<int>(syscall(SYS_pidfd_getfd, handle.get(), descriptor, 0)));
+  constexpr std::uint64_t kOnce = 1;
+  return file.is_open() && write(file.get(), &kOnce, sizeof kOnce) == sizeof kOnce;
+}
+
+}  // namespace
+
+AgentWaits::AgentWaits(WaitPage& page, Settings settings)
+    : page_(page), settings_(std::move(settings)), tasks_(settings_.processes) {}
+
+void AgentWaits::set_time(std::int64_t now) { page_.now.store(now); }
+
+std::size_t AgentWaits::reserve() {
+  const auto free = std::ranges::find_if(
+      page_.slots, [](const WaitSlot& one) { return one.state.load() == SlotState::kFree; });
+  if (free == page_.slots.end()) {
+    throw std::runtime_error(
+        fmt::format("{} has more than {} threads and timers, the most in "
+                    "lock-step",
+                    settings_.agent, WaitPage::kSlots));
+  }
+  const auto i = static_cast<std::size_t>(free - page_.slots.begin());
+  free->deadline = netns::kNever;
+  free->process = free->thread = 0;
+  free->grant = free->expired = free->readings = 0;
+  free->state = SlotState::kExpected;
+  page_.used = std::max(page_.used.load(), static_cast<std::uint32_t>(i + 1));
+  threads_[i] = {};
+  threads_[i].is_program = true;
+  return i;
+}
+
+void AgentWaits::started(std::size_t i, pid_t process) {
+  std::int32_t unknown = 0;
+  slot(i).process.compare_exchange_strong(unknown, process);
+}
+
+void AgentWaits::not_started(std::size_t i) {
+  threads_[i] = {};
+  slot(i).state = SlotState::kFree;
+}
+
+KernelState AgentWaits::look(std::size_t i) {
+  ++counts_.looks;
+  WaitSlot& one = slot(i);
+  Thread& thread = threads_[i];
+  const pid_t process = one.process.load();
+  const pid_t number = one.thread.load() != 0 ? one.thread.load() : process;
+  if (number == 0) return KernelState::kAwake;  // it begins
+  if (thread.number != number) {
+    thread.kernel = tasks_.find(process, number);
+    thread.number = number;
+  }
+  const KernelState state = thread.kernel.look();
+  if (state == KernelState::kGone) thread.number = 0;
+  return state;
+}
+
+void AgentWaits::wait_for_event(std::uint32_t seen, std::int64_t longest) {
+  const timespec time{0, longest};
+  page_.is_awaited.store(1);
+  if (page_.event.load() == seen)
+    syscall(SYS_futex, &page_.event, FUTEX_WAIT, seen, &time, nullptr, 0);
+  page_.is_awaited.store(0);
+}
+
+/// The parent of a process is told of its end after /proc shows it, under a lock that getpriority()
+/// takes, too (exit_notify() of kernel/exit.c).
+void AgentWaits::release(std::size_t i) {
+  getpriority(PRIO_PGRP, 0);
+  looks_at_parked_ = true;  // SIGCHLD
+  WaitSlot& one = slot(i);
+  if (one.thread.load() == one.process.load()) tasks_.forget(one.process.load());
+  if (threads_[i].is_program) ended_.push_back(i);
+  threads_[i] = {};
+  one.process = one.thread = 0;
+  one.state = SlotState::kFree;
+}
+
+/// A thread that says that it runs, and sleeps, is in a call of which the library does not know
+/// that it waits.
+void AgentWaits::look_at_running(std::size_t i) {
+  constexpr std::int64_t kSure = 300 * kMicrosecond;
+  Thread& thread = threads_[i];
+  const SlotState before = slot(i).state.load();
+  const KernelState state = look(i);
+  if (slot(i).state.load() != before) return;
+  if (state == KernelState::kGone) return release(i);
+  if (state == KernelState::kAwake) {
+    thread.asleep_since = 0;
+    return;
+  }
+  if (thread.asleep_since == 0) {
+    thread.asleep_since = wall_time();
+    return;
+  }
+  if (wall_time() - thread.asleep_since < kSure) return;
+  const std::string what = fmt::format("{}: {} waits in {}, of which lock-step does not know",
+                                       settings_.agent, thread.kernel.name(), thread.kernel.call());
+  if (!settings_.allow_unknown) throw std::runtime_error(what);
+  thread.is_in_unknown_call = true;
+  ++counts_.unknown;
+}
+
+bool AgentWaits::is_one_running(std::uint32_t seen) {
+  bool is_one = false;
+  for (std::size_t i = 0; i < used(); ++i) {
+    const SlotState state = slot(i).state.load();
+    if (state != SlotState::kRunning && state != SlotState::kExpected) continue;
+    if (threads_[i].is_in_unknown_call) {
+      if (look(i) == KernelState::kAsleep) continue;
+      threads_[i].is_in_unknown_call = false;
+      threads_[i].asleep_since = 0;
+    }
+    is_one = true;
+  }
+  if (!is_one) return false;
+  wait_for_event(seen, 500 * kMicrosecond);
+  if (page_.event.load() != seen) return true;
+  warn_of_long_run();
+  for (std::size_t i = 0; i < used(); ++i) {
+    const SlotState state = slot(i).state.load();
+    if (state == SlotState::kRunning || state == SlotState::kExpected) look_at_running(i);
+  }
+  return true;
+}
+
+void AgentWaits::warn_of_long_run() {
+  constexpr std::int64_t kLong = 4 * kSecond;
+  if (has_warned_ || wall_time() - running_since_ < kLong) return;
+  has_warned_ = true;
+  for (std::size_t i = 0; i < used(); ++i) {
+    if (slot(i).state.load() == SlotState::kExpected) {
+      settings_.warn(
+          fmt::format("{}: a program does not load libbaraka_lockstep.so", settings_.agent));
+    }
+    if (slot(i).state.load() != SlotState::kRunning || look(i) == KernelState::kGone) continue;
+    settings_.warn(
+        fmt::format("{}: {} has run for {} s without waiting for anything; virtual time "
+                    "stands until it does",
+                    settings_.agent, threads_[i].kernel.name(), kLong / kSecond));
+  }
+}
+
+/// @return whether some are still there.
+bool AgentWaits::release_ended() {
+  bool is_one = false;
+  for (std::size_t i = 0; i < used(); ++i) {
+    if (slot(i).state.load() != SlotState::kEnding) continue;
+    if (look(i) == KernelState::kGone) {
+      release(i);
+    } else {
+      is_one = true;
+    }
+  }
+  return is_one;
+}
+
+/// Looks until it is, or is no longer waiting. @return false: the latter.
+bool AgentWaits::is_asleep(std::size_t i) {
+  constexpr int kAtOnce = 4, kShortWaits = 16;
+  for (int looks = 0; slot(i).state.load() == SlotState::kWaiting; ++looks) {
+    const std::uint32_t seen = page_.event.load();
+    const KernelState state = look(i);
+    if (slot(i).state.load() != SlotState::kWaiting) break;
+    if (state == KernelState::kAsleep) return true;
+    if (state == KernelState::kGone) {
+      release(i);
+      break;
+    }
+    if (looks >= kAtOnce) wait_for_event(seen, (looks < kShortWaits ? 30 : 300) * kMicrosecond);
+    if (looks > kShortWaits && is_broken_off()) break;
+  }
+  return false;
+}
+
+bool AgentWaits::are_all_asleep() {
+  const std::uint32_t signals = page_.signals.load();
+  looks_at_parked_ = looks_at_parked_ || signals != signals_;
+  signals_ = signals;
+  const bool looks_at_parked = std::exchange(looks_at_parked_, false);
+  bool are_all = true;
+  for (std::size_t i = 0; i < used(); ++i) {
+    const WaitSlot& one = slot(i);
+    if (one.state.load() != SlotState::kWaiting) continue;
+    if (one.kind.load() == WaitKind::kParked && !looks_at_parked) continue;
+    are_all = is_asleep(i) && are_all;
+  }
+  return are_all;
+}
+
+void AgentWaits::grant(std::size_t i) {
+  ++counts_.turns;
+  threads_[i].asleep_since = 0;
+  running_since_ = wall_time();
+  has_warned_ = false;
+  slot(i).state.store(SlotState::kRunning);
+  slot(i).grant.store(1);
+  futex_wake(slot(i).grant);
+}
+
+bool AgentWaits::is_broken_off() {
+  const std::int64_t now = wall_time();
+  if (now - asked_at_ < 50 * kMillisecond) return false;
+  asked_at_ = now;
+  return !settings_.may_go_on();
+}
+
+/// Whether something has to be waited for before the next thread may go on.
+bool AgentWaits::is_unsettled(std::uint32_t seen) {
+  if (is_one_running(seen)) return true;
+  if (!release_ended()) return !are_all_asleep();
+  wait_for_event(seen, 30 * kMicrosecond);
+  return true;
+}
+
+bool AgentWaits::settle() {
+  running_since_ = wall_time();
+  while (!is_broken_off()) {
+    const std::uint32_t seen = page_.event.load();
+    if (is_unsettled(seen)) continue;
+    std::size_t first = 0;
+    while (first < used() && slot(first).state.load() != SlotState::kWants) ++first;
+    if (first < used()) {
+      grant(first);
+    } else if (page_.event.load() == seen && !looks_at_parked_) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void AgentWaits::fire(std::size_t i) {
+  WaitSlot& one = slot(i);
+  const std::int64_t interval = one.interval.load();
+  one.deadline = interval > 0 ? one.deadline.load() + interval : netns::kNever;
+  const pid_t process = tasks_.outside(one.process.load());
+  const int signal = one.signal.load();
+  looks_at_parked_ = looks_at_parked_ || signal != 0;
+  const bool is_fired = process != 0 && (signal != 0 ? kill(process, signal) == 0
+                                                     : write_to(process, one.descriptor.load()));
+  if (!is_fired) release(i);
+}
+
+void AgentWaits::end_wait(std::size_t i) {
+  if (look(i) == KernelState::kGone) return;
+  const KernelThread& kernel = threads_[i].kernel;
+  syscall(SYS_tgkill, kernel.process(), kernel.thread(), kEndWait);
+}
+
+void AgentWaits::expire() {
+  const std::int64_t now = page_.now.load();
+  for (std::size_t i = 0; i < used(); ++i) {
+    WaitSlot& one = slot(i);
+    const SlotState state = one.state.load();
+    const bool is_due =
+        (state == SlotState::kWaiting || state == SlotState::kTimer) && one.deadline.load() <= now;
+    if (!is_due) continue;
+    ++counts_.expired;
+    if (state == SlotState::kTimer) {
+      fire(i);
+      continue;
+    }
+    one.deadline = netns::kNever;
+    one.expired = 1;
+    if (one.kind.load() == WaitKind::kParked) {
+      one.state = SlotState::kWants;
+    } else {
+      end_wait(i);
+    }
+  }
+}
+
+std::optional<std::int64_t> AgentWaits::deadline() const {
+  std::int64_t earliest = netns::kNever;
+  for (std::size_t i = 0; i < used(); ++i) {
+    const WaitSlot& one = page_.slots[i];
+    const SlotState state = one.state.load();
+    if (state == SlotState::kWaiting || state == SlotState::kTimer)
+      earliest = std::min(earliest, one.deadline.load());
+  }
+  if (earliest == netns::kNever) return std::nullopt;
+  return earliest;
+}
+
+bool AgentWaits::waits_for_room() const {
+  return std::any_of(page_.slots.begin(), page_.slots.begin() + static_cast<std::ptrdiff_t>(used()),
+                     [](const WaitSlot& one) {
+                       return one.object.load() == netns::kRoomObject &&
+                              one.state.load() == SlotState::kWaiting;
+                     });
+}
+
+void AgentWaits::wake_for_room() {
+  for (std::size_t i = 0; i < used(); ++i) {
+    WaitSlot& one = slot(i);
+    if (one.object.load() == netns::kRoomObject && one.state.load() == SlotState::kWaiting)
+      one.state = SlotState::kWants;
+  }
+}
+
+void AgentWaits::let_go() {
+  page_.is_over = 1;
+  for (std::size_t i = 0; i < used(); ++i) {
+    WaitSlot& one = slot(i);
+    if (one.state.load() == SlotState::kWants) grant(i);
+    const bool is_timed = one.state.load() == SlotState::kWaiting && one.deadline != netns::kNever;
+    if (is_timed && one.kind.load() == WaitKind::kInKernel) end_wait(i);
+  }
+}
+
+std::vector<std::size_t> AgentWaits::take_ended() { return std::exchange(ended_, {}); }
+
+}  // namespace programs::lockstep

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "programs/lockstep/kernel_thread.h"
+#include "programs/netns/wait_page.h"
+
+namespace programs::lockstep {
+
+/// The programs of one agent in lock-step, as the run sees them: gives them the virtual time, lets
+/// one thread at a time go on until all wait, and ends the waits whose deadline has come. One
+/// thread.
+///
+///   waits.set_time(now);
+///   waits.expire();
+///   waits.settle();                  // all wait again
+///   next = waits.deadline();
+class AgentWaits {
+ public:
+  struct Settings {
+    std::string agent;           ///< Its name, for messages.
+    ino_t processes = 0;         ///< Inode of its namespace of process numbers.
+    bool allow_unknown = false;  ///< A thread that waits in an unknown call counts as waiting.
+    /// Called every 50 ms of wall time while programs run. @return false: the run is broken off.
+    std::function<bool()> may_go_on;
+    std::function<void(const std::string&)> warn;
+  };
+
+  /// @param page  outlives this; no program has it yet.
+  AgentWaits(netns::WaitPage& page, Settings settings);
+
+  /// Virtual time, ns. Never decreases.
+  void set_time(std::int64_t now);
+
+  /// Reserves a slot for a program that is about to be started: the value of kSlotVariable.
+  std::size_t reserve();
+  /// The program of a reserved slot has started, or could not be.
+  void started(std::size_t slot, pid_t process);
+  void not_started(std::size_t slot);
+
+  /// Ends the waits, and lets the timers expire, whose deadline is not after the virtual time.
+  void expire();
+
+  /// Lets threads that want to go on do so, the one with the lowest slot first, until all wait.
+  /// @return false: broken off. @throws std::runtime_error  a thread waits in an unknown call, or a
+  ///   program did not load the library.
+  bool settle();
+
+  /// The earliest deadline; none: nothing is to come.
+  std::optional<std::int64_t> deadline() const;
+
+  /// Whether threads wait for room in the station's queue; and makes them go on.
+  bool waits_for_room() const;
+  void wake_for_room();
+
+  /// The run is over: nobody waits for a turn any more, so that programs can end.
+  void let_go();
+
+  /// Slots of reserve() whose process has ended since the last call.
+  std::vector<std::size_t> take_ended();
+
+  struct Counts {
+    std::uint64_t turns = 0;    ///< Threads let go on.
+    std::uint64_t looks = 0;    ///< At what the kernel says.
+    std::uint64_t expired = 0;  ///< Waits and timers.
+    std::uint64_t unknown = 0;  ///< Waits in unknown calls.
+  };
+  const Counts& counts() const { return counts_; }
+  /// Times that a thread that only looked at the clock was made to sleep.
+  std::uint64_t spins() const { return page_.spins.load(); }
+
+ private:
+  struct Thread {
+    KernelThread kernel;
+    pid_t number = 0;               ///< Inside, of whom `kernel` is.
+    std::int64_t asleep_since = 0;  ///< Wall time, ns: in an unknown call; 0: it is not.
+    bool is_in_unknown_call = false;
+    bool is_program = false;  ///< Reserved for a program of the scenario.
+  };
+
+  netns::WaitSlot& slot(std::size_t i) { return page_.slots[i]; }
+  std::size_t used() const { return page_.used.load(); }
+  KernelState look(std::size_t i);
+  bool is_one_running(std::uint32_t seen);
+  void look_at_running(std::size_t i);
+  bool are_all_asleep();
+  bool is_asleep(std::size_t i);
+  bool release_ended();
+  bool is_unsettled(std::uint32_t seen);
+  void release(std::size_t i);
+  void grant(std::size_t i);
+  void fire(std::size_t i);
+  void end_wait(std::size_t i);
+  void wait_for_event(std::uint32_t seen, std::int64_t longest);
+  bool is_broken_off();
+  void warn_of_long_run();
+
+  netns::WaitPage& page_;
+  Settings settings_;
+  AgentTasks tasks_;
+  std::array<Thread, netns::WaitPage::kSlots> threads_;
+  std::vector<std::size_t> ended_;
+  bool looks_at_parked_ = false;  ///< A signal was sent: handlers may run in parked threads.
+  std::uint32_t signals_ = 0;     ///< As WaitPage::signals was.
+  std::int64_t running_since_ = 0, asked_at_ = 0;  ///< Wall time, ns.
+  bool has_warned_ = false;
+  Counts counts_;
+};
+
+}  // namespace programs::lockstep

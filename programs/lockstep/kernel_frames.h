@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace programs::lockstep {
+
+/// What an agent's kernel puts on the air by its own timers, or with numbers that it draws at
+/// random, made the run's own, so that equal runs have equal frames:
+///
+/// - Group membership (IGMP, RFC 3376; MLD, RFC 3810) and router solicitations (RFC 4861) are
+///   dropped: no router is there to hear them, and their times are the kernel's.
+/// - Address resolution (ARP, RFC 826; neighbour solicitations, RFC 4861) is repeated by virtual
+///   time: every second until it is answered, three times in all (MAX_MULTICAST_SOLICIT,
+///   RETRANS_TIMER of RFC 4861, 10, which Linux uses for ARP, too). The kernel's own timers stand.
+/// - The identification of IPv4 packets is counted per agent (RFC 6864), that of the fragments of
+///   one packet alike.
+class KernelFrames {
+ public:
+  using Frame = std::span<const std::uint8_t>;
+
+  /// A frame that the kernel wants to send at `now` [ns].
+  /// @return the frame to be sent; empty: none. Valid until the next call.
+  Frame on_sent(Frame ethernet, std::int64_t now);
+
+  /// A frame that was delivered to the kernel: it may answer a request.
+  void on_received(Frame ethernet);
+
+  /// Sends requests again whose time has come.
+  void repeat(std::int64_t now, const std::function<void(Frame)>& send);
+
+  /// When the next request is to be repeated; none: none is open.
+  std::optional<std::int64_t> next() const;
+
+ private:
+  struct Request {
+    std::vector<std::uint8_t> frame;
+    std::int64_t next = 0;
+    int sent = 1;
+  };
+
+  void number(std::span<std::uint8_t> packet);
+
+  std::vector<std::uint8_t> frame_;
+  std::map<std::vector<std::uint8_t>, Request> requests_;  ///< By the address that they ask for.
+  /// Of packets whose last fragment has not come: by source, destination, protocol and the kernel's
+  /// identification.
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint8_t, std::uint16_t>, std::uint16_t>
+      fragmented_;
+  std::uint16_t numbered_ = 0;
+};
+
+}  // namespace programs::lockstep

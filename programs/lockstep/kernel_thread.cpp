@@ -1,0 +1,131 @@
+#include "programs/lockstep/kernel_thread.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+namespace programs::lockstep {
+namespace {
+
+using Text = std::array<char, 512>;
+
+std::string_view read_at_begin(int file, Text& text) {
+  const ssize_t length = file < 0 ? -1 : pread(file, text.data(), text.size(), 0);
+  return {text.data(), static_cast<std::size_t>(std::max<ssize_t>(0, length))};
+}
+
+netns::FileDescriptor opened(const std::string& path) {
+  return netns::FileDescriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+}
+
+/// Where threads wait for others: system calls of the library in programs/waits. Not those in which
+/// they wait for a disk.
+bool is_wait_for_others(std::string_view function) {
+  static constexpr std::array<std::string_view, 7> kFunctions{
+      "futex", "poll_", "do_poll", "do_select", "do_wait", "do_sigt", "sigsuspend"};
+  return std::ranges::any_of(kFunctions,
+                             [&](std::string_view one) { return function.starts_with(one); });
+}
+
+/// The state behind the name, which is in parentheses and may hold some itself.
+char state_in(std::string_view stat) {
+  const std::size_t end = stat.rfind(')');
+  return end == std::string_view::npos || end + 2 >= stat.size() ? 'X' : stat[end + 2];
+}
+
+std::optional<pid_t> number_of(const std::filesystem::path& path) {
+  const std::string name = path.filename();
+  pid_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
+  return number;
+}
+
+/// The number that a thread has in the innermost of its namespaces; 0: it has ended.
+pid_t innermost_number(const std::filesystem::path& task) {
+  std::ifstream status(task / "status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with("NSpid:")) continue;
+    return static_cast<pid_t>(std::strtol(line.c_str() + line.rfind('\t'), nullptr, 10));
+  }
+  return 0;
+}
+
+}  // namespace
+
+KernelThread::KernelThread(pid_t process, pid_t thread)
+    : process_(process),
+      thread_(thread),
+      wchan_(opened(file("wchan"))),
+      stat_(opened(file("stat"))),
+      syscall_(opened(file("syscall"))) {}
+
+std::string KernelThread::file(const char* name) const {
+  return fmt::format("/proc/{}/task/{}/{}", process_, thread_, name);
+}
+
+KernelState KernelThread::look() const {
+  Text text{};
+  if (is_wait_for_others(read_at_begin(wchan_.get(), text))) return KernelState::kAsleep;
+  const std::string_view stat = read_at_begin(stat_.get(), text);
+  const char state = stat.empty() ? 'X' : state_in(stat);
+  if (state == 'X' || state == 'Z') return KernelState::kGone;
+  if (state != 'S') return KernelState::kAwake;
+  read_at_begin(syscall_.get(), text);
+  return read_at_begin(wchan_.get(), text).starts_with('0') ? KernelState::kAwake
+                                                            : KernelState::kAsleep;
+}
+
+std::string KernelThread::name() const {
+  std::string name;
+  std::getline(std::ifstream(file("comm")), name);
+  return name.empty() ? "a program" : name;
+}
+
+std::string KernelThread::call() const {
+  Text call{}, function{};
+  const std::string_view number = read_at_begin(syscall_.get(), call);
+  return fmt::format("system call {} (wchan {})", number.substr(0, number.find(' ')),
+                     read_at_begin(wchan_.get(), function));
+}
+
+pid_t AgentTasks::outside(pid_t process) {
+  pid_t& known = outside_[process];
+  if (known != 0) return known;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
+    const auto number = number_of(entry.path());
+    struct stat space {};
+    if (!number || stat((entry.path() / "ns/pid").c_str(), &space) != 0) continue;
+    if (space.st_ino == processes_ && innermost_number(entry.path()) == process) {
+      known = *number;
+      return known;
+    }
+  }
+  outside_.erase(process);
+  return 0;
+}
+
+KernelThread AgentTasks::find(pid_t process, pid_t thread) {
+  const pid_t number = outside(process);
+  if (number == 0) return {};
+  std::error_code error;
+  for (const auto& task :
+       std::filesystem::directory_iterator(fmt::format("/proc/{}/task", number), error)) {
+    const auto one = number_of(task.path());
+    if (one && innermost_number(task.path()) == thread) return {number, *one};
+  }
+  if (error) forget(process);
+  return {};
+}
+
+}  // namespace programs::lockstep

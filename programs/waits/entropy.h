@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace programs::waits {
+
+/// The next 64 bits of this process's entropy: SplitMix64 (G. L. Steele, D. Lea, C. H. Flood,
+/// "Fast splittable pseudorandom number generators", OOPSLA 2014), whose start is drawn from the
+/// run's seed, the agent and the number of processes that have drawn before. @pre in lock-step.
+std::uint64_t draw();
+
+/// Bytes of draw().
+void draw(void* bytes, std::size_t count);
+
+/// The next draw() begins anew: in a process that fork() has made.
+void draw_anew();
+
+}  // namespace programs::waits

@@ -1,0 +1,175 @@
+#include "programs/waits/net.h"
+
+#include <link.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "programs/preload/let_pass.h"
+#include "programs/waits/kernel_call.h"
+#include "programs/waits/turn.h"
+
+#ifndef __x86_64__
+#error "the registers of a system call are known for x86-64 only"
+#endif
+
+extern "C" void return_from_handler();
+
+// How the kernel returns from the handler: rt_sigreturn, by an instruction that the net lets pass.
+__asm__(
+    ".text\n.local return_from_handler\n.type return_from_handler, @function\n"
+    "return_from_handler:\n  mov $15, %eax\n  syscall\n");
+
+namespace programs::waits {
+namespace {
+
+constexpr char kPass = 0, kCatch = 1;  // SYSCALL_DISPATCH_FILTER_ALLOW, _BLOCK
+constexpr int kSetDispatch = 59, kOn = 1;
+constexpr int kDispatched = 2;  // si_code: SYS_USER_DISPATCH
+
+__attribute__((tls_model("initial-exec"))) thread_local volatile char selector = kPass;
+
+/// The instructions of this library.
+struct Code {
+  std::uintptr_t begin = 0;
+  std::size_t size = 0;
+};
+
+/// Of the library that has `code.begin` somewhere.
+int find_code(dl_phdr_info* library, std::size_t, void* given) {
+  auto& code = *static_cast<Code*>(given);
+  for (int i = 0; i < library->dlpi_phnum; ++i) {
+    const auto& part = library->dlpi_phdr[i];
+    const std::uintptr_t begin = library->dlpi_addr + part.p_vaddr;
+    const bool is_here = part.p_type == PT_LOAD && (part.p_flags & PF_X) != 0 &&
+                         code.begin >= begin && code.begin < begin + part.p_memsz;
+    if (!is_here) continue;
+    code = {begin, part.p_memsz};
+    return 1;
+  }
+  return 0;
+}
+
+const Code& own_code() {
+  static Code code;
+  if (code.size == 0) {
+    code.begin = reinterpret_cast<std::uintptr_t>(&return_from_handler);
+    dl_iterate_phdr(find_code, &code);
+  }
+  return code;
+}
+
+/// As the kernel takes it; the C library would put its own restorer into it.
+struct KernelAction {
+  void (*handler)(int, siginfo_t*, void*);
+  unsigned long flags;
+  void (*restorer)();
+  std::uint64_t mask;
+};
+
+constexpr std::uint64_t bit_of(int signal) { return std::uint64_t{1} << (signal - 1); }
+
+/// A thread that blocks SIGSYS dies of the next call that is caught, so it stays open. The set that
+/// holds after the handler is that of its context.
+long set_mask(ucontext_t& context, const Arguments& a) {
+  std::uint64_t mask = 0;
+  std::memcpy(&mask, &context.uc_sigmask, sizeof mask);
+  auto* const set = pointer<const std::uint64_t>(a[1]);
+  auto* const before = pointer<std::uint64_t>(a[2]);
+  const std::uint64_t given = set == nullptr ? 0 : *set;
+  if (before != nullptr) *before = mask;
+  if (set == nullptr) return 0;
+  switch (a[0]) {
+    case SIG_BLOCK:
+      mask |= given;
+      break;
+    case SIG_UNBLOCK:
+      mask &= ~given;
+      break;
+    case SIG_SETMASK:
+      mask = given;
+      break;
+    default:
+      return -EINVAL;
+  }
+  mask &= ~bit_of(SIGSYS);
+  std::memcpy(&context.uc_sigmask, &mask, sizeof mask);
+  return 0;
+}
+
+long as_kernel(long result) { return result == -1 ? -errno : result; }
+
+long answer_caught(ucontext_t& context) {
+  const auto& registers = context.uc_mcontext.gregs;
+  const auto number = static_cast<long>(registers[REG_RAX]);
+  const Arguments arguments{
+      static_cast<long>(registers[REG_RDI]), static_cast<long>(registers[REG_RSI]),
+      static_cast<long>(registers[REG_RDX]), static_cast<long>(registers[REG_R10]),
+      static_cast<long>(registers[REG_R8]),  static_cast<long>(registers[REG_R9])};
+  if (number == SYS_rt_sigprocmask) return set_mask(context, arguments);
+  const bool is_ours =
+      number == SYS_rt_sigaction && (arguments[0] == SIGSYS || arguments[0] == kEndWait);
+  if (is_ours && arguments[1] != 0) return 0;
+  return as_kernel(answer(number, arguments));
+}
+
+/// As a system call, which leaves errno to the C library.
+void on_system_call(int, siginfo_t* info, void* given) {
+  if (info->si_code != kDispatched) return;
+  const int kept = errno;
+  auto& context = *static_cast<ucontext_t*>(given);
+  selector = kPass;
+  context.uc_mcontext.gregs[REG_RAX] = answer_caught(context);
+  errno = kept;
+  selector = kCatch;
+}
+
+}  // namespace
+
+long kernel_call(long number, const Arguments& a) {
+  long result = number;
+  register long fourth __asm__("r10") = a[3];
+  register long fifth __asm__("r8") = a[4];
+  register long sixth __asm__("r9") = a[5];
+  __asm__ volatile("syscall"
+                   : "+a"(result)
+                   : "D"(a[0]), "S"(a[1]), "d"(a[2]), "r"(fourth), "r"(fifth), "r"(sixth)
+                   : "rcx", "r11", "memory");
+  return result;
+}
+
+void catch_system_calls() {
+  static std::atomic<bool> has_handler = false;
+  if (!has_handler.exchange(true)) {
+    constexpr unsigned long kRestorer = 0x04000000;  // SA_RESTORER
+    const KernelAction action{on_system_call, SA_SIGINFO | SA_NODEFER | kRestorer,
+                              return_from_handler, 0};
+    kernel_call(SYS_rt_sigaction,
+                {SIGSYS, reinterpret_cast<long>(&action), 0, sizeof action.mask, 0, 0});
+  }
+  const std::uint64_t signal = bit_of(SIGSYS);
+  kernel_call(SYS_rt_sigprocmask,
+              {SIG_UNBLOCK, reinterpret_cast<long>(&signal), 0, sizeof signal, 0, 0});
+  const Code& code = own_code();
+  kernel_call(SYS_prctl,
+              {kSetDispatch, kOn, static_cast<long>(code.begin), static_cast<long>(code.size),
+               reinterpret_cast<long>(const_cast<char*>(&selector)), 0});
+  selector = kCatch;
+}
+
+}  // namespace programs::waits
+
+namespace programs::preload {
+
+LetPass::LetPass() : before_(waits::selector) { waits::selector = waits::kPass; }
+LetPass::~LetPass() { waits::selector = before_; }
+
+}  // namespace programs::preload

@@ -1,0 +1,184 @@
+// What programs read and receive: POSIX.1-2017, <unistd.h>, <sys/uio.h>, <sys/socket.h>;
+// recvmmsg(2), and the times at which the kernel says that something came in: socket(7),
+// Documentation/networking/timestamping.rst of Linux.
+#include <linux/sockios.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdarg>
+#include <cstring>
+
+#include "programs/preload/exported.h"
+#include "programs/preload/intercepted.h"
+#include "programs/waits/descriptors.h"
+#include "programs/waits/ports.h"
+#include "programs/waits/virtual_clock.h"
+
+extern "C" {
+/// As __poll_chk(): see descriptors.cpp.
+ssize_t checked_read(int descriptor, void* bytes, size_t length, size_t size) __asm__("__read_chk");
+ssize_t checked_recv(int socket, void* bytes, size_t length, size_t size,
+                     int flags) __asm__("__recv_chk");
+ssize_t checked_recvfrom(int socket, void* bytes, size_t length, size_t size, int flags,
+                         sockaddr* from, socklen_t* from_length) __asm__("__recvfrom_chk");
+[[noreturn]] void fail_check() __asm__("__chk_fail");
+}
+
+namespace {
+
+using programs::waits::is_blocking;
+using programs::waits::own_slot;
+using programs::waits::receive_deadline;
+using programs::waits::until_done;
+
+/// Those that have no flag by which they do not wait: after a wait for something to be there.
+/// @return false: with errno, what the call ends with.
+bool wait_until_readable(int descriptor) {
+  if (own_slot() == nullptr || !is_blocking(descriptor, 0)) return true;
+  pollfd one{descriptor, POLLIN, 0};
+  const int ready =
+      programs::waits::wait_for_descriptors(&one, 1, receive_deadline(descriptor), nullptr);
+  if (ready == 0) errno = EAGAIN;
+  return ready > 0;
+}
+
+template <class Call>
+ssize_t receive(int socket, int flags, const Call& call) {
+  if (own_slot() == nullptr) return call(flags);
+  const bool waits = is_blocking(socket, flags);
+  return until_done(
+      socket, POLLIN, waits, waits ? receive_deadline(socket) : 0,
+      [&](bool asks_not_to_wait) { return call(asks_not_to_wait ? flags | MSG_DONTWAIT : flags); });
+}
+
+/// Everything comes in at the virtual time at which it is asked for: none passes in between.
+void put_now(cmsghdr& control, bool in_microseconds) {
+  if (control.cmsg_len < CMSG_LEN(sizeof(timespec))) return;
+  timespec now = programs::waits::to_timespec(programs::waits::reading(CLOCK_REALTIME));
+  if (in_microseconds) now.tv_nsec /= 1000;  // a timeval
+  std::memcpy(CMSG_DATA(&control), &now, sizeof now);
+}
+
+void put_times(msghdr& message) {
+  for (cmsghdr* control = CMSG_FIRSTHDR(&message); control != nullptr;
+       control = CMSG_NXTHDR(&message, control)) {
+    if (control->cmsg_level != SOL_SOCKET) continue;
+    switch (control->cmsg_type) {
+      case SO_TIMESTAMP_OLD:
+      case SO_TIMESTAMP_NEW:
+        put_now(*control, true);
+        break;
+      case SO_TIMESTAMPNS_OLD:
+      case SO_TIMESTAMPNS_NEW:
+      case SO_TIMESTAMPING_OLD:
+      case SO_TIMESTAMPING_NEW:
+        put_now(*control, false);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+}  // namespace
+
+// POSIX gives it six parameters.
+// NOLINTNEXTLINE(readability-function-size)
+BARAKA_EXPORTED ssize_t recvfrom(int socket, void* bytes, size_t length, int flags, sockaddr* from,
+                                 socklen_t* from_length) {
+  return receive(socket, flags, [=](int with) {
+    return BARAKA_NEXT(recvfrom)(socket, bytes, length, with, from, from_length);
+  });
+}
+
+BARAKA_EXPORTED ssize_t recv(int socket, void* bytes, size_t length, int flags) {
+  return receive(socket, flags,
+                 [=](int with) { return BARAKA_NEXT(recv)(socket, bytes, length, with); });
+}
+
+BARAKA_EXPORTED ssize_t checked_recv(int socket, void* bytes, size_t length, size_t size,
+                                     int flags) {
+  if (length > size) fail_check();
+  return recv(socket, bytes, length, flags);
+}
+
+// NOLINTNEXTLINE(readability-function-size)
+BARAKA_EXPORTED ssize_t checked_recvfrom(int socket, void* bytes, size_t length, size_t size,
+                                         int flags, sockaddr* from, socklen_t* from_length) {
+  if (length > size) fail_check();
+  return recvfrom(socket, bytes, length, flags, from, from_length);
+}
+
+BARAKA_EXPORTED ssize_t recvmsg(int socket, msghdr* message, int flags) {
+  const ssize_t length =
+      receive(socket, flags, [=](int with) { return BARAKA_NEXT(recvmsg)(socket, message, with); });
+  if (length >= 0 && own_slot() != nullptr) put_times(*message);
+  return length;
+}
+
+/// Linux looks at the time-out after each message only; MSG_WAITFORONE, or a time-out, ends the
+/// wait for more than one.
+BARAKA_EXPORTED int recvmmsg(int socket, mmsghdr* messages, unsigned count, int flags,
+                             timespec* timeout) {
+  if (own_slot() == nullptr) return BARAKA_NEXT(recvmmsg)(socket, messages, count, flags, timeout);
+  const bool waits = is_blocking(socket, flags);
+  const auto deadline =
+      timeout != nullptr ? programs::waits::deadline_in(timeout) : receive_deadline(socket);
+  unsigned received = 0;
+  while (received < count) {
+    const bool waits_for_this = waits && (received == 0 || (flags & MSG_WAITFORONE) == 0);
+    const int some = until_done(socket, POLLIN, waits_for_this, deadline, [&](bool no_wait) {
+      return BARAKA_NEXT(recvmmsg)(socket, messages + received, count - received,
+                                   no_wait ? flags | MSG_DONTWAIT : flags, nullptr);
+    });
+    if (some < 0 && received == 0) return -1;
+    if (some <= 0) break;
+    received += static_cast<unsigned>(some);
+    if (!waits || (flags & MSG_WAITFORONE) != 0) break;
+  }
+  for (unsigned i = 0; i < received; ++i) put_times(messages[i].msg_hdr);
+  return static_cast<int>(received);
+}
+
+BARAKA_EXPORTED ssize_t read(int descriptor, void* bytes, size_t length) {
+  return wait_until_readable(descriptor) ? BARAKA_NEXT(read)(descriptor, bytes, length) : -1;
+}
+
+BARAKA_EXPORTED ssize_t checked_read(int descriptor, void* bytes, size_t length, size_t size) {
+  if (length > size) fail_check();
+  return read(descriptor, bytes, length);
+}
+
+BARAKA_EXPORTED ssize_t readv(int descriptor, const iovec* parts, int count) {
+  return wait_until_readable(descriptor) ? BARAKA_NEXT(readv)(descriptor, parts, count) : -1;
+}
+
+BARAKA_EXPORTED int accept4(int socket, sockaddr* from, socklen_t* length, int flags) {
+  if (!wait_until_readable(socket)) return -1;
+  const int made = BARAKA_NEXT(accept4)(socket, from, length, flags);
+  programs::waits::forget(made);
+  return made;
+}
+
+BARAKA_EXPORTED int accept(int socket, sockaddr* from, socklen_t* length) {
+  return accept4(socket, from, length, 0);
+}
+
+BARAKA_EXPORTED int ioctl(int descriptor, unsigned long request, ...) noexcept {
+  va_list arguments;
+  va_start(arguments, request);
+  void* const argument = va_arg(arguments, void*);
+  va_end(arguments);
+  const int status = BARAKA_NEXT(ioctl)(descriptor, request, argument);
+  if (status != 0 || own_slot() == nullptr) return status;
+  const timespec now = programs::waits::to_timespec(programs::waits::reading(CLOCK_REALTIME));
+  if (request == SIOCGSTAMP_OLD || request == SIOCGSTAMP_NEW) {
+    *static_cast<timeval*>(argument) = {now.tv_sec, now.tv_nsec / 1000};
+  } else if (request == SIOCGSTAMPNS_OLD || request == SIOCGSTAMPNS_NEW) {
+    *static_cast<timespec*>(argument) = now;
+  }
+  return status;
+}

@@ -1,0 +1,116 @@
+// Waits for signals, and signals that are sent: POSIX.1-2017, <signal.h>, <unistd.h>; tgkill(2).
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+
+#include "programs/preload/exported.h"
+#include "programs/preload/intercepted.h"
+#include "programs/waits/descriptors.h"
+#include "programs/waits/virtual_clock.h"
+
+namespace {
+
+using programs::waits::KernelWait;
+using programs::waits::kNever;
+using programs::waits::own_slot;
+
+constexpr timespec kNoTime{0, 0};
+
+/// While this lives, the run can end waits of the calling thread.
+class OpenToEnd {
+ public:
+  OpenToEnd() {
+    sigset_t one;
+    sigemptyset(&one);
+    sigaddset(&one, programs::waits::kEndWait);
+    pthread_sigmask(SIG_UNBLOCK, &one, &before_);
+  }
+  ~OpenToEnd() {
+    const int kept = errno;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    errno = kept;
+  }
+  OpenToEnd(const OpenToEnd&) = delete;
+  OpenToEnd& operator=(const OpenToEnd&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace
+
+BARAKA_EXPORTED int sigtimedwait(const sigset_t* __restrict signals, siginfo_t* __restrict info,
+                                 const timespec* __restrict timeout) {
+  const auto next = BARAKA_NEXT(sigtimedwait);
+  if (own_slot() == nullptr) return next(signals, info, timeout);
+  const int at_once = next(signals, info, &kNoTime);
+  if (at_once >= 0 || errno != EAGAIN) return at_once;
+  const OpenToEnd open;
+  KernelWait wait(programs::waits::deadline_in(timeout));
+  const int signal = BARAKA_NEXT(sigwaitinfo)(signals, info);
+  wait.end();
+  if (signal < 0 && wait.has_expired()) errno = EAGAIN;
+  return signal;
+}
+
+BARAKA_EXPORTED int sigwaitinfo(const sigset_t* __restrict signals, siginfo_t* __restrict info) {
+  if (own_slot() == nullptr) return BARAKA_NEXT(sigwaitinfo)(signals, info);
+  return sigtimedwait(signals, info, nullptr);
+}
+
+BARAKA_EXPORTED int sigwait(const sigset_t* __restrict signals, int* __restrict signal) {
+  if (own_slot() == nullptr) return BARAKA_NEXT(sigwait)(signals, signal);
+  int found = -1;
+  do {
+    found = sigtimedwait(signals, nullptr, nullptr);
+  } while (found < 0 && errno == EINTR);
+  if (found < 0) return errno;
+  *signal = found;
+  return 0;
+}
+
+BARAKA_EXPORTED int pause() {
+  if (own_slot() == nullptr) return BARAKA_NEXT(pause)();
+  KernelWait wait(kNever);
+  return BARAKA_NEXT(pause)();
+}
+
+BARAKA_EXPORTED int sigsuspend(const sigset_t* signals) {
+  if (own_slot() == nullptr) return BARAKA_NEXT(sigsuspend)(signals);
+  KernelWait wait(kNever);
+  return BARAKA_NEXT(sigsuspend)(signals);
+}
+
+namespace {
+
+/// Handlers may run now in threads that are parked: the run is to look at these, too.
+int told(int status) {
+  if (own_slot() != nullptr) {
+    programs::waits::page()->signals.fetch_add(1);
+    programs::waits::tell_run();
+  }
+  return status;
+}
+
+}  // namespace
+
+BARAKA_EXPORTED int kill(pid_t process, int signal) noexcept {
+  return told(BARAKA_NEXT(kill)(process, signal));
+}
+
+BARAKA_EXPORTED int killpg(pid_t group, int signal) noexcept {
+  return told(BARAKA_NEXT(killpg)(group, signal));
+}
+
+BARAKA_EXPORTED int tgkill(pid_t process, pid_t thread, int signal) {
+  return told(BARAKA_NEXT(tgkill)(process, thread, signal));
+}
+
+BARAKA_EXPORTED int pthread_kill(pthread_t thread, int signal) noexcept {
+  return told(BARAKA_NEXT(pthread_kill)(thread, signal));
+}
+
+BARAKA_EXPORTED int sigqueue(pid_t process, int signal, const sigval value) noexcept {
+  return told(BARAKA_NEXT(sigqueue)(process, signal, value));
+}

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+
+#include "programs/netns/wait_page.h"
+#include "programs/preload/dilation.h"
+
+namespace programs::waits {
+
+using netns::kNever;
+using netns::SlotState;
+using netns::WaitKind;
+using netns::WaitPage;
+using netns::WaitSlot;
+using preload::kSecond;
+using preload::Nanoseconds;
+
+/// The page of the agent that this process runs in; null: it is not in lock-step, and every call of
+/// a program goes to the C library as it is.
+WaitPage* page();
+
+/// Virtual time of the run, ns. @pre page() is not null.
+Nanoseconds now();
+
+/// Whether the run has ended: waits then end soon, whatever their deadline is.
+bool is_over();
+
+/// The slot of the calling thread, which takes one if it has none; null: not in lock-step.
+WaitSlot* own_slot();
+
+/// A free slot. Ends the process with a message if all are taken.
+WaitSlot& take_slot(SlotState state);
+void give_back_slot(WaitSlot& slot);
+
+/// Makes the calling thread, which has just begun to exist, the one of a slot of state kExpected,
+/// and waits for its turn.
+void adopt(WaitSlot& slot);
+
+/// Forgets the slot of the thread that fork() copied. To be called in the child, before adopt().
+void forget_own_slot();
+
+/// Tells the run that a slot has changed.
+void tell_run();
+
+/// How a wait ended.
+enum class Woken : std::uint8_t {
+  kByThread,    ///< wake(), or the run.
+  kByDeadline,  ///< The virtual time of its deadline has come.
+  kBySignal,    ///< A handler of the program has run.
+};
+
+/// Waits, without a system call that another thread could end, until wake() names the object, or
+/// the deadline. Returns when it is this thread's turn. Since one thread of an agent runs at a
+/// time, nothing happens between a look at the object and this call. @param object  not 0.
+Woken park(std::uint64_t object, Nanoseconds deadline);
+
+/// Makes threads that are parked for this object want to go on: those that have waited longest.
+/// @return how many.
+unsigned wake(std::uint64_t object, unsigned most);
+
+/// Around a system call that waits: publishes what this thread is about to do.
+///
+///   KernelWait wait(deadline);
+///   const long result = call();
+///   wait.end();                 // returns when it is this thread's turn; errno stays
+///   if (wait.has_expired()) …
+class KernelWait {
+ public:
+  explicit KernelWait(Nanoseconds deadline);
+  ~KernelWait() { end(); }
+  KernelWait(const KernelWait&) = delete;
+  KernelWait& operator=(const KernelWait&) = delete;
+
+  void end();
+  bool has_expired() const { return expired_; }
+
+ private:
+  WaitSlot& slot_;
+  bool is_over_ = false, expired_ = false;
+};
+
+/// Sleeps until a virtual time. @return false: a handler of the program has run before.
+bool sleep_until(Nanoseconds until);
+
+/// Counts looks at the clock, or without waiting at descriptors: a thread that does nothing else
+/// would keep virtual time from passing, so after many of them it sleeps for a short while.
+void count_look(unsigned weight);
+
+/// The signal by which the run ends a KernelWait whose deadline has come.
+inline constexpr int kEndWait = 63;
+
+}  // namespace programs::waits
