@@ -87,14 +87,14 @@ Line line_of(int argc, char** argv) {
     }
     const std::string value = ++i < argc ? argv[i] : "";
     if (word == "--mtu") mtu = std::stoi(value);
-    if (word == "--factor") line.settings.factor = std::stod(value);
+    if (word == "--factor") line.settings.time.factor = std::stod(value);
     if (word == "--rate") rate = std::stod(value);
     if (word == "--queue") line.queue = static_cast<std::size_t>(std::stoi(value));
     if (word == "--programs") line.settings.programs = value;
     if (word == "--state") line.settings.state_folder = value;
   }
   for (auto& agent : line.settings.agents) agent.mtu = mtu;
-  line.rate = rate * line.settings.factor;
+  line.rate = rate * line.settings.time.factor;
   return line;
 }
 
@@ -220,7 +220,7 @@ class Wire {
     command.log = words.at(2);
     command.arguments.assign(words.begin() + 3, words.end());
     try {
-      say(fmt::format("started {}", run_.start(agent, command)));
+      say(fmt::format("started {}", run_.start(agent, command).program));
     } catch (const std::exception& error) {
       say(fmt::format("refused {}", error.what()));
     }

@@ -48,9 +48,9 @@ TEST_F(Loadable, AreNotProgramsOfAnotherMachine) {
 }
 
 TEST_F(Loadable, AreRefusedOnlyWhereTimeIsSlowed) {
-  EXPECT_NO_THROW(require_preloaded(kStill, 1));
-  EXPECT_THROW(require_preloaded(kStill, 0.5), std::runtime_error);
-  EXPECT_NO_THROW(require_preloaded("/bin/sh", 0.5));
+  EXPECT_NO_THROW(require_preloaded(kStill, {}));
+  EXPECT_THROW(require_preloaded(kStill, {.factor = 0.5}), std::runtime_error);
+  EXPECT_NO_THROW(require_preloaded("/bin/sh", {.factor = 0.5}));
 }
 
 TEST_F(Loadable, AreLookedForInTheFoldersOfPath) {

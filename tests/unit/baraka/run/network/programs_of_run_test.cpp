@@ -44,7 +44,7 @@ class ProgramsTest : public testing::Test {
     scenario.groups.front().programs.push_back(program);
   }
   ProgramsOfRun programs() {
-    return {scenario,
+    return {sim::scenario::plan_programs(scenario),
             [this](const ProgramsOfRun::Start& start) {
               if (start.program.program->name == "missing")
                 throw std::runtime_error("is not there");

@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+"""Unmodified programs in lock-step: exact to the nanosecond, equal in equal runs, and refused if they cannot be held."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import textwrap
+import unittest
+
+import wire
+from baraka import BIN, ROOT, Case
+
+REFUSED = wire.why_not()
+WAITS = BIN.parent / "tests/lockstep_waits"
+STILL = BIN.parent / "tests/still"
+PYTHON = "/usr/bin/python3"
+SEEDS_OF_MIX = (1, 2)
+
+ECHO = """
+import socket, sys, time
+s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+if len(sys.argv) == 1:
+    s.bind(("", 5000))
+    while True:
+        data, peer = s.recvfrom(2000)
+        s.sendto(data, peer)
+time.sleep(0.1)
+s.settimeout(1)
+for i in range(100):
+    begin = time.monotonic_ns()
+    s.sendto(b"x" * 64, (sys.argv[1], 5000))
+    s.recvfrom(2000)
+    print(time.monotonic_ns() - begin, flush=True)
+    time.sleep(0.01)
+"""
+
+
+def scenario(folder, agents, seed=1, record="{frames: all}"):
+    """A file with stations 10 m apart. @param agents  {name: [(program, [word, ...], more)]}"""
+    lines = ["version: 1", "name: held", f"seed: {seed}", "routing: none", f"record: {record}",
+             f"radio: {{include: {ROOT}/config/radios/ieee80211g.yaml}}", "agents:"]
+    for i, (name, programs) in enumerate(agents.items()):
+        lines += [f"  {name}:", f"    name: {name}", "    station: {}", f"    poses: [{{x: {10 * i} m, y: 0 m}}]",
+                  "    network: {}", "    programs:"]
+        for program, words, more in programs:
+            quoted = ", ".join(repr(str(word)) if "\n" not in str(word) else '"' + str(word).replace("\\", "\\\\").replace(
+                '"', '\\"').replace("\n", "\\n") + '"' for word in words)
+            lines.append(f"      - {{name: {program}, command: [{quoted}]{more}}}")
+    lines += ["end:", "  - {at: 60 s, result: late}"]
+    file = folder / "held.yaml"
+    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return file
+
+
+class Held(Case):
+    def run_held(self, file, *arguments, **options):
+        return self.run_baraka(file, "--pace", "lockstep", "--no-inspect", *arguments, **options)
+
+    def log(self, agent, program):
+        return (self.out / f"{agent}.{program}.log").read_text(encoding="utf-8")
+
+
+@unittest.skipIf(REFUSED, REFUSED)
+class Waits(Held):
+    def test_each_kind_of_wait_takes_exactly_as_long_as_it_says(self):
+        self.run_held(scenario(self.folder, {"a": [("waits", [WAITS], ", on_exit: end")]}))
+        lines = [re.fullmatch(r"(.+): (\d+) (\d+)", line) for line in self.log("a", "waits").splitlines()]
+        source = (ROOT / "tests/e2e/lockstep/waits.c").read_text(encoding="utf-8")
+        kinds = re.findall(r'^    {"([^"]+)", \w+, ', source, re.M)
+        self.assertEqual([line[1] for line in lines[:-1]], kinds)
+        self.assertGreaterEqual(len(kinds), 40)
+        for line in lines:
+            with self.subTest(line[1]):
+                took, expected = int(line[2]), int(line[3])
+                if expected:
+                    self.assertEqual(took, expected)
+                else:  # spins: in steps
+                    self.assertGreaterEqual(took, 1_234_567)
+                    self.assertLess(took, 2_000_000)
+
+    def test_the_clock_is_the_runs(self):
+        self.run_held(scenario(self.folder, {"a": [("date", ["sh", "-c", "date -u +%s; sleep 3600; date -u +%s"],
+                                                    ", on_exit: end")]}), "--set", "end.0.at=2 h")
+        begin, end = map(int, self.log("a", "date").split())
+        self.assertEqual((begin, end), (1767225600, 1767229200))
+
+
+@unittest.skipIf(REFUSED, REFUSED)
+class Exact(Held):
+    def echo(self, *arguments):
+        file = scenario(self.folder, {"a": [("ping", [PYTHON, "-c", ECHO, "10.77.0.2"], ", on_exit: end")],
+                                      "b": [("pong", [PYTHON, "-c", ECHO], "")]})
+        finished = self.run_held(file, *arguments)
+        return finished, [int(line) for line in self.log("a", "ping").split()]
+
+    def expected(self):
+        """From the run's own tables: from when a request came to the interface until its answer was received, ns."""
+        sent = [at for at, packet in self.query("SELECT at_ns, bytes FROM arrivals WHERE door = 'air of a' ORDER BY rowid")
+                if packet[24:28] == "0800" and packet[46:48] == "11"]
+        received = [at for at, in self.query(
+            "SELECT e.at_ns FROM frame_ends e JOIN frames f USING (frame) WHERE e.agent = 1 AND f.transmitter = 2 AND "
+            "f.class = 'unicast' AND f.bits > 0 AND f.receiver = 1 AND e.verdict = 'delivered' AND f.rate_bps = 54000000 "
+            "ORDER BY e.at_ns")]
+        return [min(at for at in received if at > begin) - begin for begin in sent]
+
+    def test_round_trips_of_udp_are_those_of_the_frame_table(self):
+        finished, took = self.echo()
+        self.assertEqual(len(took), 100)
+        # The first waits for the address, which the table of requests shows; its packet enters afterwards.
+        self.assertEqual(took[1:], self.expected()[1:])
+        self.assertGreater(len(set(took)), 5, "backoffs are drawn")
+        self.assertEqual(finished["frames_dropped"], "0")
+        self.assertGreater(int(finished["program_turns"]), 200)
+
+    def test_they_are_the_same_beside_busy_loops_and_when_repeated(self):
+        alone = self.echo()
+        first = self.out
+        loops = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(3)]
+        try:
+            loaded = self.echo()
+        finally:
+            for loop in loops:
+                loop.kill()
+                loop.wait()
+        self.assertEqual(alone[1], loaded[1])
+        self.assertEqual(alone[0]["fingerprint"], loaded[0]["fingerprint"])
+        again = self.run_baraka(self.folder / "held.yaml", "--repeat", first, "--no-inspect")
+        self.assertEqual(again["fingerprint"], alone[0]["fingerprint"])
+        self.assertEqual(again["simulated_s"], alone[0]["simulated_s"])
+
+    @unittest.skipUnless(shutil.which("ddsperf"), "needs ddsperf")
+    def test_ddsperf_sees_no_time_of_this_computer(self):
+        """It prints half of each round trip, to the nanosecond: all of them differ by whole slots of 20 us, of which each of
+        the two frames draws some."""
+        self.run_held(ROOT / "config/scenarios/dds_two_stations.yaml", "--set", "record.frames=all")
+        printed = re.findall(r"min ([\d.]+)us", self.log("pinger", "ping"))
+        self.assertGreater(len(printed), 10)
+        shortest = min(map(float, printed))
+        for one in map(float, printed):
+            self.assertAlmostEqual((one - shortest) / 10 % 1, 0, places=6)
+
+
+@unittest.skipIf(REFUSED, REFUSED)
+class Repeatable(Held):
+    def mix(self, seed):
+        loop = "import random, time\nfor i in range(50): time.sleep(random.random() / 50)\nprint(random.random(), hash('a'))"
+        threads = ("import threading, queue, os\nq = queue.Queue()\n"
+                   "ts = [threading.Thread(target=lambda i=i: q.put((i, os.urandom(2).hex()))) for i in range(8)]\n"
+                   "[t.start() for t in ts]; [t.join() for t in ts]; print([q.get() for _ in ts])")
+        agents = {
+            "a": [("ping", ["ping", "-c", 10, "-i", 0.1, "b"], ", on_exit: end"), ("py", [PYTHON, "-c", loop], "")],
+            "b": [("shell", ["sh", "-c", "for i in 1 2 3; do ping -c 1 c; sleep 0.1; done; echo $$; date; od -An -N4 -tx1 "
+                             "/dev/urandom"], ""), ("threads", [PYTHON, "-c", threads], "")],
+            "c": [("ping6", ["ping", "-6", "-c", 5, "-i", 0.2, "a"], "")]}
+        finished = self.run_held(scenario(self.folder, agents, seed))
+        logs = {(agent, program): self.log(agent, program) for agent, all_ in agents.items() for program, *_ in all_}
+        return finished["fingerprint"], logs
+
+    def test_equal_runs_have_equal_bytes_and_another_seed_has_others(self):
+        first = self.mix(1)
+        self.assertIn("10 received", first[1]["a", "ping"])
+        for _ in range(3):
+            self.assertEqual(self.mix(1), first)
+        other = self.mix(2)
+        self.assertNotEqual(other[0], first[0])
+        self.assertNotEqual(other[1]["a", "py"], first[1]["a", "py"])
+
+    def test_an_hour_of_idle_stations_takes_seconds(self):
+        programs = [("wait", ["sh", "-c", "while sleep 60; do date; done"], "")]
+        finished = self.run_held(scenario(self.folder, {"a": programs, "b": programs}), "--set", "end.0.at=1 h")
+        self.assertEqual(finished["simulated_s"], "3600.000000000")
+        self.assertLess(float(finished["wall_s"]), 60)
+        self.assertEqual(len(self.log("a", "wait").splitlines()), 59)
+
+
+@unittest.skipIf(REFUSED, REFUSED)
+class Refused(Held):
+    def test_a_program_that_cannot_be_held_is_refused_before_the_run(self):
+        file = scenario(self.folder, {"a": [("still", [STILL], "")]})
+        finished = self.run_held(file, status=2)
+        self.assertRegex(finished.err, r"held.yaml:\d+:\d+: command: .*still is statically linked, so lock-step cannot "
+                                       r"hold it; run it in real time \(--pace realtime\)")
+
+    def test_one_that_waits_for_what_nobody_knows_fails_the_run_by_name(self):
+        """A thread that a program makes past the C library is not known."""
+        code = "import ctypes, threading\nctypes.CDLL(None).getpid()\nprint('made', ctypes.CDLL(None).syscall(56, 0x100, 1, 0, 0, 0))"
+        self.run_held(scenario(self.folder, {"a": [("raw", [PYTHON, "-c", textwrap.dedent(code)], ", on_exit: end")]}))
+        self.assertIn("made -1", self.log("a", "raw"))
+
+
+if __name__ == "__main__":
+    unittest.main()
