@@ -11,23 +11,22 @@
 
 namespace controllers {
 
-/// Message class of what gap_mote and bridge_robot say about the network itself.
+/// Message class of the messages of gap_mote and bridge_robot about the network itself.
 inline constexpr std::string_view kGapTopic = "gap";
-/// … and of what motes tell the sink.
+/// Message class of the motes' reports to the sink.
 inline constexpr std::string_view kReportTopic = "report";
 
 enum class GapWord : std::uint8_t {
-  kSink = 1,  ///< Sink to everyone: who gets this can be reached, and reaches me.
-  kCutOff,    ///< Mote to everyone: I hear nothing of the sink. `value`: reports per minute.
-  kBid,       ///< Robot to everyone: what it is worth that I bridge the gap of `island`: `value`.
-  kClaim,     ///< Robot to everyone: I do, or have done so.
+  kSink = 1,  ///< Sink to everyone: a receiver is connected to the sink.
+  kCutOff,    ///< Mote to everyone: it no longer hears the sink. `value`: reports per minute.
+  kBid,       ///< Robot to everyone: bid for bridging the gap of `island`. `value`: its worth.
+  kClaim,     ///< Robot to everyone: it bridges that gap, or is on its way there.
 };
 
-/// On the air: the word, two bytes for the island, eight for the value (IEEE 754), the most
-/// significant first.
+/// Encoding: the word, two bytes for the island, eight for the value (IEEE 754), big-endian.
 struct GapMessage {
   GapWord word = GapWord::kSink;
-  hal::AgentId island{};  ///< Motes that are cut off together, by the lowest address among them.
+  hal::AgentId island{};  ///< Lowest address in a group of motes that are cut off together.
   double value = 0;
   bool operator==(const GapMessage&) const = default;
 };
@@ -44,7 +43,7 @@ inline std::vector<std::uint8_t> encode(const GapMessage& message) {
   return bytes;
 }
 
-/// Nothing if the bytes are no such message.
+/// nullopt if the bytes are not such a message.
 inline std::optional<GapMessage> decode_gap(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kGapMessageSize) return std::nullopt;
   GapMessage message;

@@ -10,25 +10,25 @@
 
 namespace controllers {
 
-/// Message class of everything that help_mote and help_robot say to each other.
+/// Message class of all messages between help_mote and help_robot.
 inline constexpr std::string_view kHelpTopic = "help";
 
-/// What a message says. The paper has three booleans (Labella, Dietrich, Dressler, "Hybrid
+/// Meaning of a message. The paper has three booleans (Labella, Dietrich, Dressler, "Hybrid
 /// simulation of Sensor and Actor Networks with BARAKA", 2009, section 6.2): ra and a of the robot,
 /// ma of the mote.
 enum class HelpWord : std::uint8_t {
-  kHelp = 1,  ///< Mote to everyone: who comes?
-  kAsk,       ///< ra = true: may I have the task, or: I am still on my way.
+  kHelp = 1,  ///< Mote to everyone: a robot is needed.
+  kAsk,       ///< ra = true: request for the task, or confirmation that the robot is still coming.
   kGiveUp,    ///< ra = false
-  kGrant,     ///< ma = true: you are in charge.
+  kGrant,     ///< ma = true: the robot is in charge.
   kRefuse,    ///< ma = false
   kArrived,   ///< a = true
 };
 
-/// On the air: one byte for the word, then max_hop in ms, four bytes, most significant first.
+/// Encoding: one byte for the word, then max_hop in ms, four bytes, big-endian.
 struct HelpMessage {
   HelpWord word = HelpWord::kHelp;
-  /// Longest time the robot expects to need for one hop; zero: not said. At most 49 days.
+  /// Longest time that the robot expects to need for one hop; zero: not given. At most 49 days.
   hal::Duration max_hop{};
   bool operator==(const HelpMessage&) const = default;
 };
@@ -41,7 +41,7 @@ inline std::array<std::uint8_t, kHelpMessageSize> encode(const HelpMessage& mess
   return {static_cast<std::uint8_t>(message.word), byte(24), byte(16), byte(8), byte(0)};
 }
 
-/// Nothing if the bytes are no such message.
+/// nullopt if the bytes are not such a message.
 inline std::optional<HelpMessage> decode(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kHelpMessageSize) return std::nullopt;
   const auto word = static_cast<HelpWord>(bytes[0]);

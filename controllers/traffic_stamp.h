@@ -11,10 +11,10 @@
 
 namespace controllers {
 
-/// What a traffic source's messages begin with, where there is room for it.
+/// Start of a traffic source's message, if the message is long enough.
 struct TrafficStamp {
   hal::Time sent{};          ///< By the clock of the source.
-  std::uint32_t number = 0;  ///< Of the message among the source's, from 1.
+  std::uint32_t number = 0;  ///< Of the message among those of the source, from 1.
 };
 inline constexpr std::size_t kStampBytes = 12;
 
@@ -28,7 +28,7 @@ inline hal::Bytes stamped(const TrafficStamp& stamp, std::size_t size) {
   return bytes;
 }
 
-/// None: it is too short for a stamp, or has none.
+/// nullopt: the payload is too short for a stamp, or has none.
 inline std::optional<TrafficStamp> stamp_in(std::span<const std::uint8_t> payload) {
   if (payload.size() < kStampBytes) return std::nullopt;
   hal::PayloadReader in(payload.first(kStampBytes));

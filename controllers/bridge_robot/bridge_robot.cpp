@@ -8,7 +8,7 @@
 namespace controllers {
 namespace {
 
-/// By State.
+/// In the order of State.
 constexpr std::array<std::string_view, 5> kStateNames{"IDLE", "LISTEN", "BID", "GO_TO_GAP",
                                                       "BRIDGE"};
 
@@ -56,7 +56,7 @@ void BridgeRobot::receive(const hal::Message& message) {
   if (heard->word != GapWord::kClaim) return;
   claimed_[heard->island] = robot_.now();
   const bool is_mine = state_ == State::kGoToGap && heard->island == gap_.island;
-  // Both went, for a bid got lost: one goes on.
+  // Both robots won because a bid was lost: the one with the lower address continues.
   if (!is_mine || robot_.id() < message.source) return;
   (void)robot_.set_body_velocity({});
   enter(State::kIdle);
@@ -80,7 +80,7 @@ std::vector<Seen> BridgeRobot::seen() const {
   return all;
 }
 
-/// Bids for what is worth most to it of what nobody else sees to.
+/// Bids for the gap with the greatest worth that no other robot claims.
 void BridgeRobot::choose() {
   std::map<hal::AgentId, double> callers;
   for (const auto& [mote, call] : calls_) callers[mote] = call.need;
@@ -100,7 +100,7 @@ void BridgeRobot::choose() {
   say(GapWord::kBid, bid_);
 }
 
-/// Whether it is the best of those that bid for the same gap; of equal ones the lowest address.
+/// Starts if this robot's bid for the gap is the highest; ties go to the lowest address.
 void BridgeRobot::settle() {
   const bool is_best = std::ranges::none_of(bids_, [this](const auto& entry) {
     const auto& [other, bid] = entry;
@@ -140,11 +140,11 @@ void BridgeRobot::keep_claiming() {
   say(GapWord::kClaim);
 }
 
-/// Straight on; sideways past what the infrared sensors see near on the way.
+/// Drives straight, or sideways past obstacles that the infrared sensors see ahead.
 void BridgeRobot::drive(hal::Vec2 to, double distance) {
   constexpr double kTooNear = 0.5;  // m
   const auto infrared = robot_.infrared();
-  if (!infrared) return stop();  // blind, before the first sample
+  if (!infrared) return stop();  // no infrared reading yet
   hal::Vec2 way = 1 / distance * to;
   for (const auto& [heading, range] : *infrared) {
     const hal::Vec2 look{hal::math::cos(heading), hal::math::sin(heading)};

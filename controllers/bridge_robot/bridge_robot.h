@@ -11,16 +11,17 @@
 
 namespace controllers {
 
-/// A robot that bridges gaps of the network: it hears motes that are cut off, weighs distance,
-/// energy and need of what it could bridge against what other robots bid, drives there, and stays.
+/// A robot that bridges gaps in the network: it listens for motes that are cut off, weighs
+/// distance, energy and need of each gap, bids against other robots, drives to a gap, and stays
+/// there.
 ///
-///   IDLE --a mote calls--> LISTEN --has heard the others--> BID --nobody bids more--> GO_TO_GAP
-///    ^                      | nothing to be won              | somebody does            |  | near
-///    +----------------------+--------------------------------+                          |  v
-///    +------------------ not reached in time, or somebody else claims it ---------------+ BRIDGE
+///   IDLE --a mote calls--> LISTEN --has heard the others--> BID --no higher bid--> GO_TO_GAP
+///    ^                      | no gap worth a bid             | higher bid           |  | near
+///    +----------------------+--------------------------------+                      |  v
+///    +---------- not reached in time, or claimed by another robot ------------------+ BRIDGE
 ///
-/// What another robot claims is left to it as long as it says so. Times are looked at once per
-/// control cycle.
+/// A gap claimed by another robot is left to it as long as it repeats the claim. Time-outs are
+/// checked once per control cycle.
 class BridgeRobot : public hal::Controller {
  public:
   BridgeRobot(hal::Robot& robot, const hal::Parameters& parameters);
@@ -46,7 +47,7 @@ class BridgeRobot : public hal::Controller {
     return hal::from_seconds(parameters_[parameter]);
   }
 
-  /// What somebody said, and when.
+  /// A call of a mote, and when it was heard.
   struct Heard {
     hal::Time at{};
     double need = 0;
@@ -57,12 +58,13 @@ class BridgeRobot : public hal::Controller {
   const Weights weights_;
 
   State state_ = State::kIdle;
-  hal::Time deadline_{};                       ///< Of LISTEN, BID and GO_TO_GAP.
-  hal::Time claim_at_{};                       ///< Of the next claim.
-  std::map<hal::AgentId, Heard> calls_;        ///< By mote.
-  std::map<hal::AgentId, hal::Time> claimed_;  ///< Islands that others see to: when they said so.
-  std::map<hal::AgentId, GapMessage> bids_;    ///< Of others in this round, by robot.
-  Gap gap_;                                    ///< Of BID, GO_TO_GAP and BRIDGE.
+  hal::Time deadline_{};                 ///< End of LISTEN, BID or GO_TO_GAP.
+  hal::Time claim_at_{};                 ///< Time of the next claim.
+  std::map<hal::AgentId, Heard> calls_;  ///< By calling mote.
+  /// Islands that other robots claim, and when they did so.
+  std::map<hal::AgentId, hal::Time> claimed_;
+  std::map<hal::AgentId, GapMessage> bids_;  ///< Bids of other robots in this round, by robot.
+  Gap gap_;                                  ///< Gap of BID, GO_TO_GAP and BRIDGE.
   double bid_ = 0;
 };
 

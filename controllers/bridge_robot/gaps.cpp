@@ -13,7 +13,7 @@ double between(const Seen& a, const Seen& b) {
   return hal::math::hypot(way.x, way.y);
 }
 
-/// The callers that are seen, by island.
+/// The callers that are localised, grouped by island.
 std::vector<std::vector<Seen>> islands_of(std::vector<Seen> callers, double reach) {
   std::vector<std::vector<Seen>> islands;
   while (!callers.empty()) {
@@ -32,7 +32,8 @@ std::vector<std::vector<Seen>> islands_of(std::vector<Seen> callers, double reac
   return islands;
 }
 
-/// Between an island and what is beyond; without `far` if all are as wide as that, m.
+/// The narrowest gap between an island and agents beyond it; without `far` if none is below `width`
+/// [m].
 Gap narrowest(const std::vector<Seen>& island, const std::vector<Seen>& beyond, double width) {
   Gap gap;
   gap.island = island.front().agent;

@@ -12,7 +12,7 @@ void GapMote::start() {
   if (!address) mote_.log(hal::log::Level::kError, "no agent has the name of its sink, " + sink);
   sink_ = address.value_or(hal::AgentId{});
   heard_at_ = mote_.now();
-  // Not all at once.
+  // A random first report, so that the motes do not report simultaneously.
   const double first = mote_.random().uniform();
   report_at_ = mote_.now() + hal::from_seconds(first * parameters_["report_every"]);
   mote_.state(is_sink_ ? "SINK" : "CONNECTED");

@@ -7,13 +7,13 @@
 
 namespace controllers {
 
-/// A mote that reports to a sink, and calls out when it has lost it; or the sink itself.
+/// A mote that sends reports to a sink, and calls when it has lost contact; or the sink itself.
 ///
-///   SINK                                         floods a sign of life, for ever
+///   SINK                                         floods a sign of life periodically
 ///   CONNECTED --no sign of it for `patience`--> CUT_OFF --a sign--> CONNECTED
 ///
-/// It reports in both states: what becomes of a report is the network's business. Times are looked
-/// at once per control cycle.
+/// It sends reports in both states; the network decides their fate. Time-outs are checked once per
+/// control cycle.
 class GapMote : public hal::Controller {
  public:
   GapMote(hal::Mote& mote, const hal::Parameters& parameters);
@@ -32,8 +32,8 @@ class GapMote : public hal::Controller {
   const hal::Parameters parameters_;
   bool is_sink_ = false, is_cut_off_ = false;
   hal::AgentId sink_{};
-  hal::Time heard_at_{};   ///< The sink, last.
-  hal::Time report_at_{};  ///< The next one; of the sink: sign of life.
+  hal::Time heard_at_{};   ///< Time of the sink's last sign of life.
+  hal::Time report_at_{};  ///< Time of the next report; for the sink, of its next sign of life.
   hal::Time call_at_{};
 };
 

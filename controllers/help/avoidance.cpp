@@ -11,34 +11,34 @@ namespace {
 using hal::Vec2;
 using namespace std::chrono_literals;
 
-constexpr double kPickSideAt = 0.40;  // m of gap along the way
-constexpr double kBraking = 0.5;      // m/s^2; below what the motors do, so there is time to spare
-constexpr double kKeepingGain = 1.0;  // 1/s, from an error of the gap to a speed
+constexpr double kPickSideAt = 0.40;    // m of gap along the way
+constexpr double kBraking = 0.5;        // m/s^2; below the motors' limit, as a margin
+constexpr double kKeepingGain = 1.0;    // 1/s, from an error of the gap to a speed
 constexpr double kKeepingSpeed = 0.25;  // m/s
-constexpr double kTooNear = 0.20;       // m of gap; below, the robot is pushed away …
-constexpr double kPush = 0.5;           // m/s, … with at most this
+constexpr double kTooNear = 0.20;       // m of gap, below which the robot is pushed away
+constexpr double kPush = 0.5;           // m/s, largest speed of that push
 constexpr double kTurningGain = 1.0;    // 1/s
 constexpr double kTurningSpeed = 0.4;   // rad/s
-constexpr double kPatience = 30;        // m along a wall without an end before the first turn
+constexpr double kPatience = 30;        // m along a wall before the first change of side
 constexpr std::chrono::duration<double> kSoftStart = 800ms;
-constexpr auto kSameWall = 5s;  // met again within this: the same wall, the same side
+constexpr auto kSameWall = 5s;  // after a shorter interval it is the same wall and side
 
 Vec2 left_of(Vec2 v) { return {-v.y, v.x}; }
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 double length(Vec2 v) { return std::sqrt(hal::dot(v, v)); }
 Vec2 unit(Vec2 v) { return 1 / length(v) * v; }
 
-/// The frame whose x axis is `way`, and back.
+/// To the frame whose x axis is `way`, and back.
 Vec2 to_way_frame(Vec2 way, Vec2 v) { return {hal::dot(way, v), cross(way, v)}; }
 Vec2 from_way_frame(Vec2 way, Vec2 v) { return v.x * way + v.y * left_of(way); }
 
-/// Normal, towards the robot, of the straight surface through two points.
+/// Normal of the straight surface through two points, towards the robot.
 Vec2 normal_through(Vec2 a, Vec2 b) {
   const Vec2 normal = unit(left_of(b - a));
   return hal::dot(normal, a) > 0 ? -1.0 * normal : normal;
 }
 
-/// How fast to turn so that the sensor nearest to the direction of the drive looks along it.
+/// Turning rate that makes the nearest sensor face the direction of travel.
 double turn_to_face(Vec2 velocity, const std::vector<hal::InfraredReading>& infrared) {
   if (length(velocity) < 1e-3) return 0;
   const double drive = hal::math::atan2(velocity.y, velocity.x);
@@ -75,7 +75,7 @@ Avoidance::Points Avoidance::points_of(const std::vector<hal::InfraredReading>& 
 }
 
 /// Gap between the body and the first surface in a strip along a direction.
-/// @param width  of the strip, to either side.
+/// @param width  of the strip, to each side.
 std::optional<double> Avoidance::gap_along(Vec2 direction, const Points& seen, double width) const {
   std::optional<double> gap;
   for (const Vec2 point : seen) {
@@ -112,7 +112,7 @@ void Avoidance::start_following(Vec2 way, const Points& seen, hal::Time now) {
   const bool same_wall = last_following_ && now - *last_following_ < kSameWall;
   last_following_ = now;
   if (same_wall) return;
-  // The side that leads on towards the point; with the wall to the left if neither does.
+  // Picks the side that leads towards the point, or the wall to the left if neither does.
   side_ = left_of(normal_).x >= 0 ? 1 : -1;
   side_since_ = now;
   patience_ = hal::from_seconds(kPatience / limits_.speed);
@@ -124,8 +124,8 @@ void Avoidance::look_at_wall(Vec2 way, const Points& seen) {
     normal_ = to_way_frame(way, normal_through(seen[0], seen[1]));
     return;
   }
-  // One point says little of a wall: at its end the last sensor looks back at it. So the wall stays
-  // what it was, unless the point is where the wall is not.
+  // One point does not determine a wall: at the wall's end the last sensor looks back at it. So the
+  // normal is kept unless the point is off the wall.
   constexpr double kOnTheWall = 0.3;  // cosine of the angle to the wall's normal
   const Vec2 towards_robot = to_way_frame(way, -1.0 * unit(seen[0]));
   if (hal::dot(towards_robot, normal_) < kOnTheWall) normal_ = towards_robot;
@@ -134,8 +134,8 @@ void Avoidance::look_at_wall(Vec2 way, const Points& seen) {
 Vec2 Avoidance::towards_point(Vec2 way, const Points& seen) const {
   const auto gap = gap_along(way, seen, wall_width());
   if (!gap) return limits_.speed * way;
-  // As fast as the robot may be to come to rest a little before it has to pick a side, and a bit
-  // more so that it gets there.
+  // Speed from which the robot comes to rest slightly beyond the distance at which it picks a side,
+  // so that it gets there: v = sqrt(2 a s), with constant braking a over the distance s.
   constexpr double kRestAt = kPickSideAt - 0.05;
   const double speed = std::sqrt(2 * kBraking * std::max(0.0, *gap - kRestAt));
   return std::min(speed, limits_.speed) * way;
@@ -144,11 +144,11 @@ Vec2 Avoidance::towards_point(Vec2 way, const Points& seen) const {
 Vec2 Avoidance::along_wall(Vec2 way, const Points& seen, hal::Time now) const {
   const Vec2 normal = from_way_frame(way, normal_);
   const Vec2 tangent = side_ * left_of(normal);
-  // Something ahead slows down; it becomes the wall when it is the nearest there is.
+  // Something ahead slows the robot down; it becomes the wall when it is the nearest surface.
   const auto ahead = gap_along(tangent, seen, limits_.body_radius + 0.05);
   const double room = ahead ? std::clamp((*ahead - 0.1) / 0.4, 0.0, 1.0) : 1.0;
-  // A soft start: motors that share their acceleration between braking and speeding up would run
-  // on into the wall for the sake of the new direction.
+  // A soft start: motors that share their acceleration between braking and accelerating would
+  // otherwise continue into the wall.
   const double start = std::min(1.0, (now - following_since_) / kSoftStart);
   double keeping = 0;
   if (!seen.empty()) {

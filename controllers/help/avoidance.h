@@ -9,25 +9,26 @@
 
 namespace controllers {
 
-/// Drives a holonomic robot towards a distant point and round what stands in the way, by infrared
-/// alone.
+/// Drives a holonomic robot towards a distant point and around obstacles, using only infrared
+/// sensors.
 ///
-///            something in the way, near: picks a side
+///             obstacle ahead, near: picks a side
 ///   towards the point -----------------------> along the wall --+ patience used up: other side,
 ///            ^                                        |    ^    | twice the patience
 ///            +----------------------------------------+    +----+
 ///                 the way has been clear for a while
 ///
-/// The bearing of the point serves as a compass: what the robot remembers of a wall it remembers
-/// relative to it. Doubling the patience finds the end of any wall (Baeza-Yates, Culberson,
-/// Rawlins, "Searching in the Plane", 1993). The body turns so that a sensor looks where it drives.
+/// The bearing of the point serves as a compass: memories of a wall are stored relative to it.
+/// Doubling the patience finds the end of any wall (Baeza-Yates, Culberson, Rawlins, "Searching in
+/// the Plane", 1993). The body turns so that a sensor faces the direction of travel.
 class Avoidance {
  public:
   struct Limits {
-    double speed = 0;           ///< m/s, > 0.
-    double body_radius = 0;     ///< m, from the centre to the sensors.
-    double gap = 0;             ///< m, kept between body and wall.
-    hal::Duration clear_for{};  ///< How long the way is clear before it is taken again.
+    double speed = 0;        ///< m/s, > 0.
+    double body_radius = 0;  ///< m, from the centre to the sensors.
+    double gap = 0;          ///< m, kept between body and wall.
+    /// Time for which the way must be clear before the robot leaves a wall.
+    hal::Duration clear_for{};
   };
 
   explicit Avoidance(const Limits& limits) : limits_(limits) {}
@@ -37,13 +38,13 @@ class Avoidance {
   hal::Twist2 steer(hal::Vec2 way, const std::vector<hal::InfraredReading>& infrared,
                     hal::Time now);
 
-  /// From now on `way` is that of another point: what is known of walls no longer holds.
+  /// Call when `way` begins to refer to another point: stored knowledge of walls becomes invalid.
   void aim_anew() { *this = Avoidance(limits_); }
 
   bool follows_wall() const { return following_; }
 
  private:
-  using Points = std::vector<hal::Vec2>;  ///< Surfaces seen, by distance; m in the body frame.
+  using Points = std::vector<hal::Vec2>;  ///< Detected surfaces, by distance; m in the body frame.
 
   Points points_of(const std::vector<hal::InfraredReading>& infrared) const;
   std::optional<double> gap_along(hal::Vec2 direction, const Points& seen, double width) const;
@@ -57,10 +58,10 @@ class Avoidance {
 
   Limits limits_;
   bool following_ = false;
-  /// Points from the wall to the robot; in the frame whose x axis is the way.
+  /// Direction from the wall to the robot, in the frame whose x axis is the way.
   hal::Vec2 normal_{};
-  double side_ = 1;  ///< 1: the wall is to the left of the drive; -1: right.
-  std::optional<hal::Time> last_following_;  ///< Nothing: no wall yet.
+  double side_ = 1;  ///< 1: the wall is to the left of the direction of travel; -1: to the right.
+  std::optional<hal::Time> last_following_;  ///< nullopt: no wall so far.
   hal::Time following_since_{};
   hal::Time last_blocked_{};
   hal::Time side_since_{};

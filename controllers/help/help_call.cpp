@@ -65,7 +65,7 @@ void HelpCall::repeat_or_give_up() {
 }
 
 void HelpCall::say(hal::AgentId to, HelpWord word) {
-  // What the HAL refuses it also logs; what gets lost on its way is repeated by the robot.
+  // The HAL logs what it refuses; the robot repeats its request if this message is lost.
   (void)mote_.send(to, kHelpTopic, encode({.word = word}));
 }
 

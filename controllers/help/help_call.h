@@ -11,7 +11,7 @@
 
 namespace controllers {
 
-/// A mote's call for help, handed to the first robot that asks.
+/// A mote's call for help, which is granted to the first robot that asks.
 ///
 ///              begin(): calls              asked: grants
 ///   IDLE ------------------> REQUEST ---------------------> WAIT ---------> FULFILLED
@@ -24,24 +24,24 @@ namespace controllers {
 ///                            +->+<------------------------------------------------+
 ///                                 begin(): calls anew
 ///
-/// Whoever asks in any other case is refused. Repeated calls come a random share of their time
-/// early: two motes that called in the same instant, and lost their calls to each other, would lose
-/// every repeat. Times are looked at once per control cycle. (Labella, Dietrich, Dressler, "Hybrid
-/// simulation of Sensor and Actor Networks with BARAKA", 2009, section 6.2.)
+/// Any other robot that asks is refused. Repeated calls come early by a random share of the period:
+/// otherwise two motes whose first calls collided would also lose all repeats. Time-outs are
+/// checked once per control cycle. (Labella, Dietrich, Dressler, "Hybrid simulation of Sensor and
+/// Actor Networks with BARAKA", 2009, section 6.2.)
 class HelpCall {
  public:
   enum class State { kIdle, kRequest, kWait, kFulfilled, kGaveUp };
-  /// By State: the names under which the mote records them.
+  /// The names under which the mote records its states, in the order of State.
   static constexpr std::array<std::string_view, 5> kStateNames{"IDLE", "REQUEST", "WAIT",
                                                                "FULFILLED", "GAVE_UP"};
 
-  /// What parameters() declares. @param prefix  of the names, e.g. "help."; may be empty.
+  /// Parameters of the call. @param prefix  of their names, e.g. "help."; may be empty.
   static std::vector<hal::ParameterSpec> parameters(const std::string& prefix);
   HelpCall(hal::Mote& mote, const hal::Parameters& parameters, const std::string& prefix);
 
   void idle() { enter(State::kIdle); }
   void begin();  ///< @pre !is_on()
-  void step();   ///< Once per control cycle.
+  void step();   ///< Call once per control cycle.
   void receive(const hal::Message& message);
 
   State state() const { return state_; }
@@ -62,8 +62,8 @@ class HelpCall {
 
   State state_ = State::kIdle;
   int repeats_ = 0;
-  hal::Time deadline_{};               ///< Of REQUEST and WAIT.
-  std::optional<hal::AgentId> owner_;  ///< The robot in charge: in WAIT.
+  hal::Time deadline_{};               ///< End of REQUEST or WAIT.
+  std::optional<hal::AgentId> owner_;  ///< The robot in charge, in WAIT.
 };
 
 }  // namespace controllers

@@ -77,8 +77,8 @@ bool HelpTrip::is_under_way() const {
   return state_ == State::kGoToNextHop || state_ == State::kGoToDestination;
 }
 
-/// Asks the destination and waits in `state` for what comes of it: its answer, and the routes that
-/// the question finds on its way.
+/// Sends a request to the destination and waits in `state` for its answer, or for the routes that
+/// the request discovers.
 void HelpTrip::request(State state) {
   travel_.halt();
   repeats_ = 0;
@@ -93,8 +93,8 @@ void HelpTrip::wait_for_answer() {
   if (repeats_ == max_repeats_) return give_up();
   ++repeats_;
   deadline_ = robot_.now() + reply_timeout_;
-  // No answer: the way there or the way back is not what the network believes. A new search teaches
-  // the nodes on it both.
+  // Without an answer, the route in one direction is not what the network assumes. A new search
+  // updates both directions at the nodes on the path.
   (void)robot_.network().invalidate(kHelpTopic, destination_);
   say(HelpWord::kAsk);
 }
@@ -111,7 +111,7 @@ void HelpTrip::on_answer(bool granted) {
   }
 }
 
-/// Routes to the destination that do not lead back to the hop the robot stands at.
+/// Routes to the destination that do not lead back to the hop at which the robot stands.
 std::vector<hal::Route> HelpTrip::routes_ahead() const {
   auto routes = std::as_const(robot_).network().routes(kHelpTopic, destination_);
   std::erase_if(routes, [this](const hal::Route& route) {
@@ -124,7 +124,7 @@ void HelpTrip::find_next_hop() {
   enter(State::kFindNextHop);
   const auto routes = routes_ahead();
   if (routes.empty()) {
-    // What is left leads back here, if anything: it must not spare the network a new search.
+    // Remaining routes can only lead back here: they must not prevent a new search.
     (void)robot_.network().invalidate(kHelpTopic, destination_);
     return request(State::kRequestNextHop);
   }
@@ -152,7 +152,7 @@ void HelpTrip::go() {
 }
 
 /// Tells the mote that the robot is still coming. On the way to a hop this also renews the route,
-/// so that the network's view of the robot's place follows the robot.
+/// so that the network follows the robot's position.
 void HelpTrip::keep_in_touch(double distance) {
   const bool to_hop = state_ == State::kGoToNextHop;
   const bool comes_near = to_hop && !asked_near_ && distance < near_;
@@ -179,7 +179,7 @@ void HelpTrip::arrive() {
 }
 
 void HelpTrip::say(HelpWord word) {
-  // What the HAL refuses it also logs; what gets lost on its way is repeated.
+  // The HAL logs what it refuses; a lost request is repeated.
   (void)robot_.send(destination_, kHelpTopic, encode({.word = word, .max_hop = hop_timeout_}));
 }
 

@@ -13,7 +13,7 @@
 
 namespace controllers {
 
-/// A robot's trip to a mote that called for help, from one hop of the network's route to the next.
+/// A robot's trip to a mote that called for help, along the hops of the network's route.
 ///
 ///   IDLE --begin()--> SELECT_DESTINATION --asks--> REQUEST_ASSIGNMENT
 ///                                                               | granted
@@ -29,7 +29,8 @@ namespace controllers {
 ///                                                                             v
 ///   refused: IDLE. No answer to the last repeat, or hop not reached in time: GIVE_UP, then IDLE.
 ///
-/// Times are looked at once per control cycle. (Labella, Dietrich, Dressler, "Hybrid simulation of
+/// Time-outs are checked once per control cycle. (Labella, Dietrich, Dressler, "Hybrid simulation
+/// of
 /// Sensor and Actor Networks with BARAKA", 2009, section 6.2.)
 class HelpTrip {
  public:
@@ -44,7 +45,7 @@ class HelpTrip {
     kGiveUp,
     kArrived,
   };
-  /// By State: the names under which the robot records them.
+  /// The names under which the robot records its states, in the order of State.
   static constexpr std::array<std::string_view, 9> kStateNames{"IDLE",
                                                                "SELECT_DESTINATION",
                                                                "REQUEST_ASSIGNMENT",
@@ -55,24 +56,24 @@ class HelpTrip {
                                                                "GIVE_UP",
                                                                "ARRIVED"};
 
-  /// What parameters() declares. @param prefix  of the names, e.g. "answer."; may be empty.
+  /// Parameters of the trip. @param prefix  of their names, e.g. "answer."; may be empty.
   static std::vector<hal::ParameterSpec> parameters(const std::string& prefix);
-  /// @param parameters  these and those of Travel.   @param travel  outlives this.
+  /// @param parameters  those above and those of Travel.   @param travel  outlives this.
   HelpTrip(hal::Robot& robot, Travel& travel, const hal::Parameters& parameters,
            const std::string& prefix);
 
   void idle() { enter(State::kIdle); }
   void begin(hal::AgentId mote);  ///< @pre !is_on()
-  void step();                    ///< Once per control cycle.
+  void step();                    ///< Call once per control cycle.
   void receive(hal::AgentId from, HelpWord word);
 
   bool is_on() const { return state_ != State::kIdle; }
   bool is_to(hal::AgentId mote) const { return is_on() && mote == destination_; }
-  /// Whether the last trip that ended came to its mote.
+  /// Whether the last trip that ended reached its mote.
   bool has_arrived() const { return has_arrived_; }
-  /// Whether it ended because another robot has the task, or nobody needs it any more.
+  /// Whether it ended because another robot has the task, or the task no longer exists.
   bool was_refused() const { return was_refused_; }
-  /// r(.) by which it chooses its hops.
+  /// r(.) of equation 1 (hal/types/path_metric.h), used to choose hops.
   const hal::PathMetric& metric() const { return metric_; }
 
  private:
@@ -100,13 +101,13 @@ class HelpTrip {
   const double beta_;
 
   State state_ = State::kIdle;
-  hal::AgentId destination_;          ///< Of every state but IDLE.
+  hal::AgentId destination_;          ///< Of every state except IDLE.
   hal::AgentId next_hop_;             ///< Of both GO_TO states.
-  std::optional<hal::AgentId> left_;  ///< The hop reached last: the robot stands at it.
+  std::optional<hal::AgentId> left_;  ///< The hop reached last, at which the robot stands.
   int repeats_ = 0;
-  hal::Time deadline_{};       ///< Of the states that wait or go.
-  hal::Time keep_alive_at_{};  ///< Of the states that go.
-  bool asked_near_ = false;    ///< The question of being near the next hop was sent.
+  hal::Time deadline_{};       ///< End of the states that wait or drive.
+  hal::Time keep_alive_at_{};  ///< In the states that drive.
+  bool asked_near_ = false;    ///< The request on approaching the next hop was sent.
   bool has_arrived_ = false, was_refused_ = false;
 };
 

@@ -7,18 +7,18 @@
 
 namespace controllers {
 
-/// Times at which something falls due: a first one, and then one every period.
+/// Periodic due times: a first one, and then one every period.
 class Recurrence {
  public:
-  /// @param first, every  s; infinity: never, and never again.
+  /// @param first, every  s; infinity: never, and not periodic.
   Recurrence(double first, double every) {
     if (std::isfinite(first)) next_ = hal::Time{hal::from_seconds(first)};
     if (std::isfinite(every)) every_ = hal::from_seconds(every);
   }
 
-  /// Whether it falls due by `now`; then the next one is due whole periods after this one was, at
-  /// the first such time that lies ahead. Of several that were missed, as by a controller that is
-  /// restarted, one falls due.
+  /// Whether a due time has been reached by `now`. The next one is then a whole number of periods
+  /// later, the first that is after `now`: if several were missed, for example because the
+  /// controller was restarted, only one falls due.
   bool falls_due(hal::Time now) {
     if (!next_ || now < *next_) return false;
     const hal::Time due = *next_;
@@ -28,7 +28,7 @@ class Recurrence {
   }
 
  private:
-  std::optional<hal::Time> next_;  ///< Nothing: none any more.
+  std::optional<hal::Time> next_;  ///< nullopt: no more due times.
   std::optional<hal::Duration> every_;
 };
 

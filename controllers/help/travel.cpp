@@ -5,7 +5,7 @@
 namespace controllers {
 namespace {
 
-constexpr double kRoomToPass = 0.15;  // m between the body's rim and the centre of a mote
+constexpr double kRoomToPass = 0.15;  // m between the body's edge and the centre of a mote
 
 }  // namespace
 

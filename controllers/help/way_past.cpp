@@ -17,7 +17,7 @@ Vec2 way_past(Vec2 way, std::span<const double> localised, double clearance) {
     if (!nearest || ahead < hal::dot(way, *nearest)) nearest = agent;
   }
   if (!nearest) return way;
-  // Past the side on which there is less to go round; the left one if it stands in the middle.
+  // Passes on the side with the shorter detour; on the left if the agent is exactly ahead.
   const double side = hal::dot(left, *nearest) > 0 ? -1 : 1;
   const Vec2 beside = *nearest + side * clearance * left;
   return 1 / std::sqrt(hal::dot(beside, beside)) * beside;

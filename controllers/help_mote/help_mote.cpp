@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// A mote that calls for help at given times (HelpCall). A call that falls due while another is on
-/// is left out.
+/// A mote that calls for help at given times (HelpCall). A call that falls due during another one
+/// is skipped.
 class HelpMote : public hal::Controller {
  public:
   HelpMote(hal::Mote& mote, const hal::Parameters& parameters)

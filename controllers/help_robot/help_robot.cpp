@@ -9,8 +9,7 @@
 namespace controllers {
 namespace {
 
-/// A robot that goes to motes that call for help (HelpTrip), to one of them at random after the
-/// other.
+/// A robot that goes to motes that call for help (HelpTrip), one after the other in random order.
 class HelpRobot : public hal::Controller {
  public:
   HelpRobot(hal::Robot& robot, const hal::Parameters& parameters)
@@ -45,7 +44,7 @@ class HelpRobot : public hal::Controller {
   hal::Robot& robot_;
   Travel travel_;
   HelpTrip trip_;
-  std::set<hal::AgentId> calls_;  ///< Motes that asked for help, without the destination.
+  std::set<hal::AgentId> calls_;  ///< Motes that called for help, except the destination.
 };
 
 std::vector<hal::ParameterSpec> parameters_of_help_robot() {

@@ -10,7 +10,7 @@
 namespace controllers {
 
 /// The address of the agent that a parameter names.
-/// @throws std::invalid_argument  there is none of that name.
+/// @throws std::invalid_argument  no agent has that name.
 inline hal::AgentId agent_called(const hal::RealWorldObject& self, const std::string& name,
                                  const std::string& parameter) {
   const auto address = self.address_of(name);
@@ -18,7 +18,7 @@ inline hal::AgentId agent_called(const hal::RealWorldObject& self, const std::st
   return *address;
 }
 
-/// @throws std::invalid_argument  the first of these mistakes, if there are any.
+/// @throws std::invalid_argument  describing the first of these mistakes, if there are any.
 inline void refuse(const std::vector<hal::ParameterMistake>& mistakes) {
   if (mistakes.empty()) return;
   throw std::invalid_argument(mistakes.front().name + ": " + mistakes.front().what);

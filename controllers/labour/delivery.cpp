@@ -22,7 +22,7 @@ std::vector<hal::ParameterSpec> burst_parameters(const std::string& prefix, cons
 Burst burst_of(const hal::Parameters& parameters, const std::string& prefix,
                const std::string& topic) {
   const double messages = std::floor(parameters[prefix + "messages"]);
-  // 0.9 of 10 is 9, whatever the rounding of 0.9 makes of it.
+  // 0.9 of 10 is 9, whatever the rounding of 0.9.
   const double needed = std::ceil(parameters[prefix + "needed"] * messages - 1e-9);
   return {.topic = topic,
           .messages = static_cast<int>(messages),
@@ -57,7 +57,7 @@ void Delivery::send_next() {
   const SampleMessage sample{.burst = number_,
                              .index = static_cast<std::uint16_t>(sent_),
                              .needed = static_cast<std::uint16_t>(burst_.needed)};
-  // What the HAL refuses it also logs; no receipt comes for it then.
+  // The HAL logs what it refuses; there is then no receipt.
   (void)self_.send(sink_, burst_.topic, encode(sample, burst_.size));
   ++sent_;
   (void)self_.set_timer(timer_,

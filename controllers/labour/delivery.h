@@ -10,39 +10,40 @@
 
 namespace controllers {
 
-/// What a burst of samples is like.
+/// Properties of a burst of samples.
 struct Burst {
   std::string topic{};
   int messages = 1;
-  std::size_t size = kSampleBytes;  ///< Bytes of payload of each.
-  hal::Duration interval{};         ///< From one to the next.
-  int needed = 1;                   ///< At the sink, for it to be a success.
-  hal::Duration within{};           ///< From the last message to the sink's receipt.
+  std::size_t size = kSampleBytes;  ///< Payload of each message, bytes.
+  hal::Duration interval{};         ///< Time between two messages.
+  int needed = 1;                   ///< Messages that the sink must receive for a success.
+  hal::Duration within{};           ///< Longest time from the last message to the sink's receipt.
 };
 
-/// messages, size, interval, needed and within, with `prefix` before their names. @param defaults
-/// of `needed` it is the share that counts, needed / messages.
+/// Parameters messages, size, interval, needed and within, with `prefix` before their names.
+/// `needed` is the required share of the messages.
+/// @param defaults  default values
 std::vector<hal::ParameterSpec> burst_parameters(const std::string& prefix, const Burst& defaults);
-/// Their values. @param topic  of the messages.
+/// The burst that these parameters describe. @param topic  of its messages.
 Burst burst_of(const hal::Parameters& parameters, const std::string& prefix,
                const std::string& topic);
 
-/// Brings bursts of samples to the sink, one at a time. A burst is a success once the sink's
-/// receipt is here, and a failure if it is not in time.
+/// Sends bursts of samples to the sink, one at a time. A burst succeeds if the sink's receipt
+/// arrives in time, and fails otherwise.
 class Delivery {
  public:
-  /// @param timer  the one of the agent's timers that it uses.
+  /// @param timer  the id of the agent's timer that it uses.
   Delivery(hal::RealWorldObject& self, hal::TimerId timer) : self_(self), timer_(timer) {}
 
-  /// Once, when the agent starts: its bursts are numbered from the milliseconds of that time on, so
-  /// that those of an agent that is restarted are none of the sink's past.
+  /// Call once, when the agent starts: bursts are numbered from the current time in milliseconds,
+  /// so that those of a restarted agent are new to the sink.
   void start();
 
-  /// Sends the first message. What the sink has itself is there at once.
+  /// Sends the first message. The sink's own bursts succeed at once.
   /// @pre !is_on()
   void begin(const Burst& burst, hal::AgentId sink);
   void cancel() { is_on_ = false; }
-  void timer();  ///< Of the timer's number.
+  void timer();  ///< Call when the timer of that id expires.
   void receive(const hal::Message& message);
 
   bool is_on() const { return is_on_; }
@@ -58,7 +59,7 @@ class Delivery {
   Burst burst_;
   hal::AgentId sink_;
   std::uint32_t number_ = 0;  ///< Of the last burst.
-  int sent_ = 0;              ///< Of its messages.
+  int sent_ = 0;              ///< Number of messages sent in this burst.
   bool is_on_ = false;
   bool succeeded_ = false;
 };

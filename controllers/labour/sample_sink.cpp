@@ -6,13 +6,13 @@ void SampleSink::receive(const hal::Message& message) {
   const auto sample = sample_in(message.payload);
   if (!sample) return;
   Burst& burst = bursts_[{message.source, message.topic}];
-  if (sample->burst < burst.number) return;  // a late one of a burst before
+  if (sample->burst < burst.number) return;  // a late message of an earlier burst
   if (sample->burst > burst.number) burst = {.number = sample->burst, .got = {}};
   if (!burst.got.insert(sample->index).second) return;
   ++samples_[message.topic];
   if (burst.got.size() != sample->needed) return;
-  // A receipt that gets lost is a failure of the sender's: a network that does not bring it back is
-  // no better than one that does not bring the samples here.
+  // If the receipt is lost, the sender counts a failure: a network that cannot return the receipt
+  // is no better than one that cannot deliver the samples.
   (void)self_.send(message.source, message.topic, receipt_for(burst.number));
 }
 

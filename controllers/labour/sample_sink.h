@@ -11,26 +11,27 @@
 
 namespace controllers {
 
-/// Receives the samples of all agents and answers every burst once, when it has as many of its
-/// messages as the burst says it needs.
+/// Receives the samples of all agents and sends one receipt per burst, when the required number of
+/// its messages has arrived.
 class SampleSink {
  public:
   explicit SampleSink(hal::RealWorldObject& self) : self_(self) {}
 
-  /// Messages that are no samples are passed over.
+  /// Ignores messages that are not samples.
   void receive(const hal::Message& message);
-  /// Records the different samples of each topic: "samples_<topic>".
+  /// Records the number of different samples of each topic as "samples_<topic>".
   void record(hal::RealWorldObject& self) const;
 
  private:
   struct Burst {
     std::uint32_t number = 0;
-    std::set<std::uint16_t> got;  ///< Indices.
+    std::set<std::uint16_t> got;  ///< Indices received.
   };
 
   hal::RealWorldObject& self_;
-  std::map<std::pair<hal::AgentId, std::string>, Burst> bursts_;  ///< The latest of each sender.
-  std::map<std::string, int> samples_;                            ///< By topic.
+  std::map<std::pair<hal::AgentId, std::string>, Burst>
+      bursts_;                          ///< Latest burst by sender and topic.
+  std::map<std::string, int> samples_;  ///< By topic.
 };
 
 }  // namespace controllers

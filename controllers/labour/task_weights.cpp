@@ -71,7 +71,7 @@ std::optional<std::size_t> TaskWeights::find(const std::string& task) const {
   return static_cast<std::size_t>(found - tasks_.begin());
 }
 
-/// Relative to the greatest weight there may be, so that no power overflows.
+/// tau^exponent of (T1), relative to the greatest permitted weight so that no power overflows.
 double TaskWeights::power(std::size_t task) const {
   return hal::math::pow(weights_[task] / most_, exponent_);
 }
@@ -94,7 +94,7 @@ std::optional<std::size_t> TaskWeights::draw(const std::vector<bool>& can_do,
   std::optional<std::size_t> drawn;
   for (std::size_t i = 0; i < tasks_.size(); ++i) {
     if (!can_do[i]) continue;
-    drawn = i;  // the last one, if rounding leaves a crumb of probability over
+    drawn = i;  // also covers a remainder left by rounding
     left -= power(i);
     if (left < 0) break;
   }
@@ -107,6 +107,7 @@ bool TaskWeights::learn(std::size_t task, bool succeeded) {
   in_a_row = in_a_row * way > 0 ? in_a_row + way : way;
   ++(succeeded ? successes_ : failures_)[task];
   const double before = weights_[task];
+  // (T3) or (T2)
   const double moved = before + step_ * (counts_in_a_row_ ? in_a_row : way);
   weights_[task] = std::clamp(moved, least_, most_);
   return weights_[task] != before;

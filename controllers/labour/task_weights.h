@@ -9,52 +9,54 @@
 
 namespace controllers {
 
-/// How much an agent inclines to each of its tasks. The task of weight tau_i is drawn with
+/// An agent's preferences for its tasks. A task with weight tau_i is drawn with the probability
 ///
-///   P(i) = tau_i^exponent / sum over k of tau_k^exponent
+///   (T1) P(i) = tau_i^exponent / sum over k of tau_k^exponent
 ///
-/// and what comes of it moves its weight within [least, most]:
+/// and its outcome changes its weight within [least, most]:
 ///
-///   rule fixed      tau_i + step after a success, tau_i - step after a failure
-///   rule variable   tau_i + k step after the k-th success in a row, - k step after the k-th
-///   failure
+///   (T2) rule fixed      tau_i := tau_i + step after a success, tau_i - step after a failure
+///   (T3) rule variable   tau_i := tau_i + k step after the k-th success in a row,
+///                        tau_i - k step after the k-th failure in a row
 ///
-/// Sources: for P and the fixed rule, Labella, Dressler, "A Bio-Inspired Architecture for Division
-/// of Labour in SANETs", 2006, as Dressler, Akan, "A survey on bio-inspired networking", 2010,
-/// tells it; for the other, the variable delta rule of Labella, Dorigo, Deneubourg, "Division of
-/// labor in a group of robots inspired by ants' foraging behavior", 2006.
+/// Sources (the numbers are not those of the papers): for (T1) and (T2), Labella, Dressler, "A
+/// Bio-Inspired Architecture for Division of Labour in SANETs", 2006, as described by Dressler,
+/// Akan, "A survey on bio-inspired networking", 2010; for (T3), the variable delta rule of Labella,
+/// Dorigo, Deneubourg, "Division of labor in a group of robots inspired by ants' foraging
+/// behavior", 2006.
 class TaskWeights {
  public:
-  /// weights.initial, .least, .most, .step, .exponent, .rule.
+  /// Parameters weights.initial, .least, .most, .step, .exponent, .rule.
   static std::vector<hal::ParameterSpec> parameters();
 
-  /// What cannot be: no task, one that is named twice, `initial` not between `least` and `most`.
+  /// Contradictions: no task, a task listed twice, `initial` not between `least` and `most`.
   static std::vector<hal::ParameterMistake> mistakes(const std::vector<std::string>& tasks,
                                                      const hal::Parameters& parameters);
 
-  /// @param tasks  their names, each once.
+  /// @param tasks  names, each once.
   /// @throws std::invalid_argument  the first of the mistakes(), if there are any.
   TaskWeights(std::vector<std::string> tasks, const hal::Parameters& parameters);
 
-  /// Number of a task among those given; none: the agent does not have it.
+  /// Index of a task among those given; nullopt: the agent does not have it.
   std::optional<std::size_t> find(const std::string& task) const;
   const std::vector<std::string>& tasks() const { return tasks_; }
   double weight(std::size_t task) const { return weights_[task]; }
 
-  /// P of every task; their sum is 1 but for rounding.
+  /// P of (T1) for every task; the sum is 1 except for rounding.
   std::vector<double> probabilities() const;
-  /// One task, by P among those for which there is something to do.
-  /// @param can_do  by task. @return none, and nothing was drawn, if there is none.
+  /// Draws a task with the probabilities (T1), restricted to the tasks that can be done.
+  /// @param can_do  by task. @return nullopt, without drawing, if no task can be done.
   std::optional<std::size_t> draw(const std::vector<bool>& can_do, hal::RandomStream& random) const;
-  /// Notes what came of a task. @return whether its weight moved.
+  /// Applies (T2) or (T3) after a task. @return whether its weight changed.
   bool learn(std::size_t task, bool succeeded);
 
   /// Records P of every task as "p_<task>".
   void record(hal::RealWorldObject& self) const;
-  /// Records how often each task was a success and a failure: "succeeded_<task>", "failed_<task>".
+  /// Records the number of successes and failures of each task: "succeeded_<task>",
+  /// "failed_<task>".
   void record_outcomes(hal::RealWorldObject& self) const;
-  /// Records that of a task that just came to be one or the other: the rows of a run are then the
-  /// history of its tasks, those that moved no weight included.
+  /// Records that number for the task that just ended: the rows of a run then form the history of
+  /// its tasks, including those that did not change a weight.
   void record_outcome(hal::RealWorldObject& self, std::size_t task, bool succeeded) const;
 
  private:
@@ -64,7 +66,8 @@ class TaskWeights {
   double least_, most_, step_, exponent_;
   bool counts_in_a_row_;
   std::vector<double> weights_;
-  std::vector<int> in_a_row_;  ///< Successes, or with a minus failures, since there was the other.
+  /// Consecutive successes, or consecutive failures as a negative number.
+  std::vector<int> in_a_row_;
   std::vector<int> successes_, failures_;
 };
 

@@ -15,7 +15,7 @@ constexpr hal::TimerId kChoose = 1;
 constexpr hal::TimerId kDelivery = 2;
 constexpr std::string_view kHelpTask = "help";
 
-/// What a mote samples, by the names of the tasks.
+/// Bursts of the sampling tasks, by the names of the tasks.
 std::vector<Burst> sampling_defaults() {
   return {
       {.topic = "temperature", .messages = 1, .size = 16, .needed = 1, .within = 5s},
@@ -113,7 +113,7 @@ void LabourMote::choose_in(double seconds) {
   (void)mote_.set_timer(kChoose, mote_.now() + hal::from_seconds(seconds));
 }
 
-/// After a task, or when there was none to do: half to one and a half of the time, drawn, so that
+/// Waits after a task, or when none can be done: a random 0.5 to 1.5 of the resting time, so that
 /// motes do not keep in step.
 void LabourMote::rest() {
   choose_in((needs_help_ ? rest_in_need_ : rest_) * (0.5 + mote_.random().uniform()));
@@ -130,7 +130,7 @@ void LabourMote::choose() {
   settle();
 }
 
-/// Looks whether the task is over.
+/// Ends the current task if it is over.
 void LabourMote::settle() {
   if (!current_) return;
   const bool is_help = current_ == help_;

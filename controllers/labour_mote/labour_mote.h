@@ -13,23 +13,23 @@
 
 namespace controllers {
 
-/// A mote that chooses one task after the other, at random, and inclines to what it succeeds in
+/// A mote that repeatedly chooses a random task, and prefers those in which it succeeded
 /// (TaskWeights):
 ///
-///   task                        is done by                         is a success if
+///   task                        is done by                         succeeds if
 ///   temperature, audio, video   a burst of samples to the sink,    the sink's receipt for enough
-///                               topic: the task's name             of them is here in time
+///                               topic: the task's name             of them arrives in time
 ///   help                        a call for a robot (HelpCall)      a robot came: FULFILLED; given
 ///                                                                  up, a failure
 ///
-/// help is among those to choose from only while there is a need for it, which comes up at given
-/// times and lasts until a call for it has ended. Between two tasks the mote rests, but hardly so
-/// while it needs help. The mote that is the sink receives the samples of all (SampleSink),
-/// whatever else it does.
+/// help can be chosen only while it is needed; the need arises at given times and lasts until a
+/// call for it has ended. The mote rests between two tasks, but only briefly while it needs help.
+/// The mote that is the sink also receives the samples of all motes (SampleSink).
 ///
-/// It records "p_<task>" at the start and whenever one of them moves; "succeeded_<task>" and
-/// "failed_<task>", so many so far, whenever there is one more, and all of them at the end;
-/// "needs", so many so far, when it comes to need help; of the sink, at the end, "samples_<task>".
+/// It records "p_<task>" at the start and whenever one of them changes; the totals
+/// "succeeded_<task>" and "failed_<task>" whenever one of them increases, and all of them at the
+/// end; the total "needs" whenever help becomes necessary; and, if it is the sink, "samples_<task>"
+/// at the end.
 class LabourMote : public hal::Controller {
  public:
   LabourMote(hal::Mote& mote, const hal::Parameters& parameters);
@@ -51,18 +51,18 @@ class LabourMote : public hal::Controller {
 
   hal::Mote& mote_;
   const std::string sink_name_;
-  const std::vector<hal::ParameterMistake> mistakes_;  ///< For start().
-  const double rest_, rest_in_need_;                   ///< s, on average.
+  const std::vector<hal::ParameterMistake> mistakes_;  ///< Reported by start().
+  const double rest_, rest_in_need_;                   ///< s, mean.
   TaskWeights weights_;
   std::vector<Burst> bursts_;              ///< By task.
-  const std::optional<std::size_t> help_;  ///< Its number, if it is one of the tasks.
+  const std::optional<std::size_t> help_;  ///< Index of the task help, if the mote has it.
   Recurrence needs_;
   HelpCall call_;
   Delivery delivery_;
   SampleSink received_;
 
   std::optional<hal::AgentId> sink_;
-  std::optional<std::size_t> current_;  ///< The task; nothing: it rests.
+  std::optional<std::size_t> current_;  ///< Index of the task; nullopt: it rests.
   bool needs_help_ = false;
   int needs_so_far_ = 0;
 };

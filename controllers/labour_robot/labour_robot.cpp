@@ -9,7 +9,7 @@ namespace controllers {
 namespace {
 
 constexpr hal::TimerId kReport = 1;
-/// By Task.
+/// In the order of Task.
 constexpr std::array<const char*, 3> kTaskNames{"answer", "patrol", "idle"};
 constexpr const char* kAnswerPrefix = "answer.";
 
@@ -49,7 +49,7 @@ void LabourRobot::stop() {
 }
 
 void LabourRobot::step() {
-  // The run may be younger than a call stays fresh.
+  // The run may have lasted for less than fresh_for_.
   if (robot_.now() >= hal::Time{fresh_for_}) requesters_.forget_before(robot_.now() - fresh_for_);
   trip_.step();
   patrol_.step();
@@ -103,7 +103,7 @@ void LabourRobot::begin(std::size_t task) {
   }
 }
 
-/// Somebody called while the robot was on patrol, or idle.
+/// A mote called while the robot was on patrol or idle.
 void LabourRobot::reconsider() {
   const auto drawn = draw();
   if (!drawn || kinds_[*drawn] != Task::kAnswer) return;

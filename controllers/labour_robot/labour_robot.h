@@ -13,26 +13,26 @@
 
 namespace controllers {
 
-/// A robot that chooses one task after the other, at random, and inclines to what it succeeds in
+/// A robot that repeatedly chooses a random task, and prefers those in which it succeeded
 /// (TaskWeights):
 ///
-///   task     what it does                                      is a success if
+///   task     what it does                                      succeeds if
 ///   answer   goes to a mote that called for help (HelpTrip),   it arrived; refused, because
 ///   another
-///            drawn from those that did (Requesters)            robot has the task, or given up, a
+///            drawn from those that called (Requesters)         robot has the task, or given up, a
 ///                                                              failure
 ///   patrol   goes to a post and stays as a gateway (Patrol)    it was reached in time, and the
 ///                                                              sink's receipt came
-///   idle     waits where it is                                 nobody called for help meanwhile
+///   idle     waits where it is                                 no mote called for help meanwhile
 ///
-/// answer is among those to choose from only while a call is fresh, patrol while a post is in
-/// sight. A call that is heard during patrol or idle has the robot choose again; if it draws answer
-/// it breaks off what it did, which then was neither a success nor a failure, else it goes on. So
-/// the robots that are not needed for a call are refused and come to leave calls to others.
+/// answer can be chosen only while a call is fresh, patrol only while a post is localised. When the
+/// robot hears a call during patrol or idle, it draws again: if it draws answer, it aborts the
+/// current task, which then counts neither as a success nor as a failure; otherwise it continues.
+/// Robots that are not needed for a call are refused, and so learn to leave calls to others.
 ///
-/// It records "p_<task>" at the start and whenever one of them moves; "succeeded_<task>" and
-/// "failed_<task>", so many so far, whenever there is one more, and all of them at the end. States:
-/// those of HelpTrip, PATROL, GATEWAY.
+/// It records "p_<task>" at the start and whenever one of them changes; the totals
+/// "succeeded_<task>" and "failed_<task>" whenever one of them increases, and all of them at the
+/// end. States: those of HelpTrip, PATROL, GATEWAY.
 class LabourRobot : public hal::Controller {
  public:
   LabourRobot(hal::Robot& robot, const hal::Parameters& parameters);
@@ -60,13 +60,13 @@ class LabourRobot : public hal::Controller {
 
   hal::Robot& robot_;
   const std::string sink_name_;
-  const std::vector<hal::ParameterMistake> mistakes_;  ///< For start().
+  const std::vector<hal::ParameterMistake> mistakes_;  ///< Reported by start().
   const hal::Duration fresh_for_;
   const double requester_beta_;
   const bool refusal_fails_;
-  const double idle_;  ///< s, on average.
+  const double idle_;  ///< s, mean.
   TaskWeights weights_;
-  std::vector<Task> kinds_;  ///< By number of the task.
+  std::vector<Task> kinds_;  ///< By index of the task.
   Travel travel_;
   HelpTrip trip_;
   Patrol patrol_;

@@ -65,7 +65,7 @@ void Patrol::start(hal::AgentId sink) {
   }
 }
 
-/// Without the one it was at last, if there are others.
+/// The localised posts, without the last one visited if there are others.
 std::vector<hal::AgentId> Patrol::posts_in_sight() const {
   std::vector<hal::AgentId> all;
   for (const hal::AgentId post : posts_) {

@@ -11,35 +11,35 @@
 
 namespace controllers {
 
-/// One round of a robot as a gateway: it drives to one of the posts that it can localise, reports
-/// from there to the sink, and stays for a while as a relay of the network.
+/// One round of a robot as a gateway: it drives to one of the posts that it can localise, sends a
+/// report to the sink from there, and stays for a while as a relay of the network.
 ///
 ///   IDLE --begin()--> PATROL --reached--> GATEWAY --stayed--> IDLE
 ///                        +--------- not reached in time --------^
 ///
-/// It succeeds if the sink's receipt for the report is there when the robot leaves: from the post
-/// there is a way through the network. Topic: "patrol".
+/// It succeeds if the sink's receipt for the report has arrived when the robot leaves: the post is
+/// connected to the sink. Topic: "patrol".
 class Patrol {
  public:
   static constexpr std::string_view kTask = "patrol";
 
-  /// posts, timeout, reached, stay, and those of the report; their names begin with "patrol.".
+  /// Parameters posts, timeout, reached, stay, and those of the report; their names begin with
+  /// "patrol.".
   static std::vector<hal::ParameterSpec> parameters();
-  /// Whether the robot chooses it at all, by its parameter `tasks`.
+  /// Whether patrol is among the robot's tasks, by its parameter `tasks`.
   static bool is_among_tasks(const hal::Parameters& parameters);
-  /// What a robot that chooses it cannot do without or with: no sink, no post, one that is there
-  /// twice.
+  /// Mistakes in the parameters of a robot with this task: no sink, no post, a post listed twice.
   static std::vector<hal::ParameterMistake> mistakes(const hal::Parameters& parameters);
-  /// @param timer  the one of the robot's timers that it uses.   @param travel  outlives this.
+  /// @param timer  the id of the robot's timer that it uses.   @param travel  outlives this.
   Patrol(hal::Robot& robot, Travel& travel, const hal::Parameters& parameters, hal::TimerId timer);
 
-  /// @pre no mistakes().  @throws std::invalid_argument  a post is no agent.
+  /// @pre no mistakes().  @throws std::invalid_argument  a post is not an agent.
   void start(hal::AgentId sink);
-  /// Whether there is a post to go to.
+  /// Whether a post is localised.
   bool can_begin() const { return !posts_in_sight().empty(); }
   void begin();   ///< @pre can_begin()
-  void cancel();  ///< The robot turns to something else.
-  void step();    ///< Once per control cycle.
+  void cancel();  ///< Ends the round without a result.
+  void step();    ///< Call once per control cycle.
   void timer() { report_.timer(); }
   void receive(const hal::Message& message) { report_.receive(message); }
 
@@ -62,11 +62,11 @@ class Patrol {
 
   std::vector<hal::AgentId> posts_;
   hal::AgentId sink_;
-  std::optional<hal::AgentId> post_;  ///< Of the present round, or the last one.
+  std::optional<hal::AgentId> post_;  ///< Post of the current round, or of the last one.
   bool is_on_ = false;
   bool is_there_ = false;  ///< At the post.
   bool succeeded_ = false;
-  hal::Time until_{};  ///< Of the drive, then of the stay.
+  hal::Time until_{};  ///< End of the drive, then of the stay.
 };
 
 }  // namespace controllers

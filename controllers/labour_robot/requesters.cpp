@@ -10,7 +10,7 @@
 namespace controllers {
 namespace {
 
-/// r of the best route; 0: none is known.
+/// r of the best route; 0: no route is known.
 double value_of(const hal::Robot& robot, hal::AgentId mote, const hal::PathMetric& metric) {
   double best = 0;
   for (const hal::Route& route : robot.network().routes(kHelpTopic, mote)) {
@@ -46,7 +46,7 @@ hal::AgentId Requesters::draw(hal::Robot& robot, hal::PathMetric metric, double 
     left -= value;
     if (left < 0) return mote;
   }
-  return values.back().first;  // rounding left a crumb of probability over
+  return values.back().first;  // rounding left a remainder
 }
 
 }  // namespace controllers

@@ -9,7 +9,8 @@
 namespace controllers {
 namespace {
 
-/// A part of a name between two slashes (ROS 2 design, "Topic and Service name mapping to DDS").
+/// Whether this is a valid part of a name between two slashes (ROS 2 design, "Topic and Service
+/// name mapping to DDS").
 bool is_token(std::string_view token) {
   if (token.empty() || std::isdigit(static_cast<unsigned char>(token.front())) != 0) return false;
   for (const char c : token) {

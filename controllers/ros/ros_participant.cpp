@@ -43,14 +43,14 @@ void set_history(Qos& qos, int depth) {
   qos.history().kind = api::KEEP_LAST_HISTORY_QOS;
   qos.history().depth = depth;
   qos.durability().kind = api::VOLATILE_DURABILITY_QOS;
-  qos.data_sharing().off();  // it would go past the air
+  qos.data_sharing().off();  // it would bypass the radio
 }
 
 }  // namespace
 
 RosParticipant::RosParticipant(const Settings& settings) {
   api::DomainParticipantFactory& factory = *api::DomainParticipantFactory::get_instance();
-  factory.load_profiles();  // else what the user says there would not count
+  factory.load_profiles();  // otherwise the user's profiles would be ignored
   api::DomainParticipantQos qos = factory.get_default_participant_qos();
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {address_of(settings.interface)};
@@ -84,7 +84,7 @@ api::DataWriter* RosParticipant::writer(api::Topic* topic, int depth) {
   api::DataWriterQos qos = api::DATAWRITER_QOS_DEFAULT;
   set_history(qos, depth);
   qos.reliability().kind = api::RELIABLE_RELIABILITY_QOS;
-  // On a thread of DDS: a card that is busy may hold it up, and not the controller.
+  // On a thread of DDS, so that a busy network card does not block the controller.
   qos.publish_mode().kind = api::ASYNCHRONOUS_PUBLISH_MODE;
   return made(publisher_->create_datawriter(topic, qos), "writer of " + topic->get_name());
 }

@@ -10,48 +10,47 @@
 
 namespace controllers {
 
-/// A DDS participant among the nodes of ROS 2 (Humble), on one network interface and no other, by
-/// UDP, with discovery as ROS 2's middleware has it. Whatever listens to its readers must outlive
-/// it.
+/// A DDS participant that communicates with ROS 2 nodes (Humble), on one network interface only,
+/// over UDP, with the discovery of ROS 2's middleware. Listeners of its readers must outlive it.
 class RosParticipant {
  public:
   struct Settings {
     std::string interface;  ///< E.g. "wlan0"; its first IPv4 address is used.
     int domain = 0;         ///< ROS_DOMAIN_ID, 0..232.
-    std::string name;       ///< Of the participant.
+    std::string name;       ///< Name of the participant.
   };
 
-  /// @throws std::runtime_error  the interface is not there or has no address, DDS cannot be
-  /// opened.
+  /// @throws std::runtime_error  the interface does not exist or has no address, or DDS fails to
+  ///   open.
   explicit RosParticipant(const Settings& settings);
   ~RosParticipant();
   RosParticipant(const RosParticipant&) = delete;
   RosParticipant& operator=(const RosParticipant&) = delete;
 
-  /// @tparam Generated  what fastddsgen makes for a message, e.g. Twist_PubSubType.
+  /// @tparam Generated  class that fastddsgen generates for a message, e.g. Twist_PubSubType.
   /// @param name  as in DDS: "rt/cmd_vel". @throws std::runtime_error
   template <class Generated>
   eprosima::fastdds::dds::Topic* topic(const std::string& name) {
     const eprosima::fastdds::dds::TypeSupport type(new Guarded<Generated>());
-    // A peer of this version crashes when it is told a type with a sequence of structures.
+    // A peer with this version crashes when it receives a type with a sequence of structures.
     type->auto_fill_type_object(false);
     type->auto_fill_type_information(false);
     type.register_type(participant_);
     return registered(name, type.get_type_name());
   }
-  /// Reliable, and never waits for the network. @param depth  of its history.
+  /// Reliable, and never blocks on the network. @param depth  of its history.
   /// @throws std::runtime_error
   eprosima::fastdds::dds::DataWriter* writer(eprosima::fastdds::dds::Topic* topic, int depth);
-  /// @param best_effort  lost samples are not asked for again. @throws std::runtime_error
+  /// @param best_effort  lost samples are not retransmitted. @throws std::runtime_error
   eprosima::fastdds::dds::DataReader* reader(eprosima::fastdds::dds::Topic* topic, bool best_effort,
                                              eprosima::fastdds::dds::DataReaderListener* listener);
 
-  /// rmw_qos_profile_default of ROS 2.
+  /// History depth of rmw_qos_profile_default of ROS 2.
   static constexpr int kDepth = 10;
 
  private:
-  /// What cannot be decoded is dropped: the generated code lets some of what Fast CDR throws
-  /// through, and that would be the end of the program.
+  /// Drops samples that cannot be decoded: the generated code does not catch all exceptions of Fast
+  /// CDR, and those would end the program.
   template <class Generated>
   class Guarded final : public Generated {
    public:

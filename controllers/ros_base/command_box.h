@@ -12,7 +12,7 @@
 
 namespace controllers {
 
-/// Collects commands on a thread of DDS.
+/// Collects commands; its callbacks run on a thread of DDS.
 class CommandBox : public eprosima::fastdds::dds::DataReaderListener {
  public:
   void on_data_available(eprosima::fastdds::dds::DataReader* reader) override {

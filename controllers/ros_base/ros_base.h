@@ -8,22 +8,22 @@
 
 namespace controllers {
 
-/// Drives as other nodes of ROS 2 say, over the interface that its agent gives its controller:
-/// velocities come on `rt/cmd_vel`, odometry goes out on `rt/odom` and `rt/tf`, once per control
-/// cycle. The wheels stop when no command has come for `command_timeout`, which the next control
-/// cycle notices.
+/// Drives as ROS 2 nodes command, over the network interface that the agent gives its controller:
+/// it receives velocities on `rt/cmd_vel` and sends odometry on `rt/odom` and `rt/tf` once per
+/// control cycle. The wheels stop at the first control cycle in which no command has arrived for
+/// `command_timeout`.
 ///
 ///   waiting ──command──▶ driving ──silence──▶ stopped
 ///                           ▲                   │
 ///                           └──────command──────┘
 ///
-/// Records `commands`: how many have come so far, whenever there are more.
+/// Records `commands`, the total received, whenever it increases.
 class RosBase : public hal::Controller {
  public:
-  /// @throws std::invalid_argument  a parameter that no range can judge.
+  /// @throws std::invalid_argument  a parameter that a range cannot check.
   RosBase(hal::Robot& robot, const hal::Parameters& parameters);
 
-  void start() override;  ///< @throws std::runtime_error  there is no such interface.
+  void start() override;  ///< @throws std::runtime_error  the interface does not exist.
   void step() override;
   void stop() override;
 
@@ -35,7 +35,7 @@ class RosBase : public hal::Controller {
   RosNode::Settings settings_;
   const hal::Duration command_timeout_;
   std::optional<RosNode> node_;
-  hal::Twist2 twist_;  ///< As commanded last; zero when that is too long ago.
+  hal::Twist2 twist_;  ///< The last command; zero when it is too old.
   std::optional<hal::Time> commanded_;
   std::uint64_t commands_ = 0;
   bool complained_ = false;

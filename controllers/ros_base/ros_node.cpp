@@ -18,7 +18,7 @@ using nav_msgs::msg::dds_::Odometry_PubSubType;
 using tf2_msgs::msg::dds_::TFMessage_;
 using tf2_msgs::msg::dds_::TFMessage_PubSubType;
 
-/// Of tf2_ros's writer of transforms.
+/// History depth of tf2_ros's writer of transforms.
 constexpr int kDepthOfTransforms = 100;
 
 builtin_interfaces::msg::dds_::Time_ stamp_now() {
@@ -48,7 +48,7 @@ class RosNode::Implementation {
         odometry_(participant_.writer(
             participant_.topic<Odometry_PubSubType>(ros_topic(settings.name_space, "odom")),
             RosParticipant::kDepth)),
-        // Transforms of all robots share a topic: their frames tell them apart.
+        // All robots share the topic of transforms: their frames distinguish them.
         transforms_(participant_.writer(
             participant_.topic<TFMessage_PubSubType>(ros_topic("", "tf")), kDepthOfTransforms)) {
     participant_.reader(
@@ -96,7 +96,7 @@ class RosNode::Implementation {
 
   const Settings settings_;
   CommandBox commands_;
-  RosParticipant participant_;  // after what listens to its readers
+  RosParticipant participant_;  // declared after the listeners of its readers
   api::DataWriter* odometry_;
   api::DataWriter* transforms_;
 };

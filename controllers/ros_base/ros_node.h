@@ -10,40 +10,40 @@
 
 namespace controllers {
 
-/// A robot among the nodes of ROS 2 (Humble): reads velocity commands, geometry_msgs/Twist on
-/// `rt/cmd_vel`, and writes its odometry on `rt/odom` and `rt/tf`, on one network interface and no
-/// other, by UDP, with discovery as ROS 2's middleware has it. Messages are stamped with the clock
-/// of the process, as those of any node.
+/// A robot that communicates with ROS 2 nodes (Humble): reads velocity commands,
+/// geometry_msgs/Twist on `rt/cmd_vel`, and writes its odometry on `rt/odom` and `rt/tf`, on one
+/// network interface only, over UDP, with the discovery of ROS 2's middleware. Messages are stamped
+/// with the clock of the process, like those of any node.
 ///
-/// Threads of DDS only put commands into a box, which take_commands() empties; everything here is
-/// called by one thread and waits for no other.
+/// Threads of DDS only store commands, which take_commands() returns. All functions are called from
+/// one thread and do not block.
 class RosNode {
  public:
   struct Settings {
     std::string interface;   ///< E.g. "wlan0"; its first IPv4 address is used.
     int domain = 0;          ///< ROS_DOMAIN_ID, 0..232.
-    std::string name_space;  ///< "r0" makes it `rt/r0/cmd_vel`; empty: `rt/cmd_vel`.
+    std::string name_space;  ///< "r0" gives `rt/r0/cmd_vel`; empty: `rt/cmd_vel`.
     std::string odom_frame = "odom", base_frame = "base_link";
-    /// Commands are read as they come, once; else also those that were lost, by and by.
+    /// Lost commands are not retransmitted; false: they are.
     bool best_effort = false;
   };
 
-  /// Commands since the last time.
+  /// Commands since the previous call.
   struct Commands {
     std::optional<hal::Twist2> last;  ///< Body frame.
-    std::uint64_t count = 0;          ///< With a value in each component.
-    std::uint64_t senseless = 0;      ///< With one that is not finite: dropped.
+    std::uint64_t count = 0;          ///< With finite components.
+    std::uint64_t senseless = 0;      ///< Dropped because a component was not finite.
   };
 
-  /// @throws std::runtime_error  the interface is not there or has no address, DDS cannot be
-  /// opened.
+  /// @throws std::runtime_error  the interface does not exist or has no address, or DDS fails to
+  ///   open.
   explicit RosNode(const Settings& settings);
   ~RosNode();
   RosNode(const RosNode&) = delete;
   RosNode& operator=(const RosNode&) = delete;
 
   Commands take_commands();
-  /// Never waits for the network. Without readers nothing is sent.
+  /// Never blocks on the network. Without readers nothing is sent.
   void publish(const hal::Odometry& odometry);
 
  private:

@@ -10,7 +10,7 @@
 
 namespace controllers {
 
-/// Counts odometry on a thread of DDS.
+/// Counts odometry messages; its callbacks run on a thread of DDS.
 class OdometryCounter : public eprosima::fastdds::dds::DataReaderListener {
  public:
   void on_data_available(eprosima::fastdds::dds::DataReader* reader) override {

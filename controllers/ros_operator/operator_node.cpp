@@ -24,7 +24,7 @@ class OperatorNode::Implementation {
       writers_.push_back(
           participant_.writer(participant_.topic<Twist_PubSubType>(ros_topic(robot, "cmd_vel")),
                               RosParticipant::kDepth));
-      // The latest counts: what was lost is not asked for again.
+      // Only the latest message counts: lost ones are not retransmitted.
       participant_.reader(participant_.topic<Odometry_PubSubType>(ros_topic(robot, "odom")), true,
                           &odometry_);
     }
@@ -41,7 +41,7 @@ class OperatorNode::Implementation {
 
  private:
   OdometryCounter odometry_;
-  RosParticipant participant_;  // after what listens to its readers
+  RosParticipant participant_;  // declared after the listener of its readers
   std::vector<api::DataWriter*> writers_;
 };
 

@@ -15,7 +15,7 @@ constexpr hal::TimerId kNext = 1;
 std::vector<std::string> robots_of(const hal::Parameters& parameters) {
   std::vector<std::string> robots = parameters.texts("robots");
   for (const std::string& robot : robots) ros_namespace("robots", robot);
-  if (robots.empty()) robots.emplace_back();  // one that has no namespace
+  if (robots.empty()) robots.emplace_back();  // one robot without a namespace
   return robots;
 }
 

@@ -8,18 +8,18 @@
 
 namespace controllers {
 
-/// Drives robots whose controller is `ros_base`, or any that obey ROS 2's velocity commands: sends
-/// one and the same command to all of them, `rate` times a second, over the interface that its
-/// agent gives its controller.
+/// Drives robots whose controller is `ros_base`, or others that accept velocity commands of ROS 2:
+/// sends the same command to all of them, `rate` times a second, over the network interface that
+/// the agent gives its controller.
 ///
-/// Records `commands`: how many it has sent to each robot, and `odometry`: how many messages of
-/// odometry have come from all of them; at each control cycle, whenever there are more.
+/// Records, at control cycles in which they have increased, the totals `commands`, sent to each
+/// robot, and `odometry`, messages received from all robots.
 class RosOperator : public hal::Controller {
  public:
-  /// @throws std::invalid_argument  a parameter that no range can judge.
+  /// @throws std::invalid_argument  a parameter that a range cannot check.
   RosOperator(hal::RealWorldObject& self, const hal::Parameters& parameters);
 
-  void start() override;  ///< @throws std::runtime_error  there is no such interface.
+  void start() override;  ///< @throws std::runtime_error  the interface does not exist.
   void timer(hal::TimerId id) override;
   void step() override;
   void stop() override { node_.reset(); }

@@ -10,10 +10,10 @@
 
 namespace controllers {
 
-/// Counts the messages of traffic sources. At the end of the run it records, of those that came
-/// between `start` and `stop`: `received` (messages), `bytes` (of payload), `goodput` (bit/s of
-/// payload and of `overhead` bytes of each message), and, if there was any with a stamp,
-/// `latency_mean` and `latency_max` (s, from the source's send() to receive() here).
+/// Counts the messages of traffic sources. At the end of the run it records, for messages received
+/// between `start` and `stop`: `received` (number), `bytes` (of payload), `goodput` (bit/s of
+/// payload plus `overhead` bytes per message) and, if any message had a stamp, `latency_mean` and
+/// `latency_max` (s, from the source's send() to receive() here).
 class TrafficSink : public hal::Controller {
  public:
   TrafficSink(hal::RealWorldObject& self, const hal::Parameters& parameters)

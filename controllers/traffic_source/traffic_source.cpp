@@ -16,7 +16,7 @@ constexpr double kUnset = std::numeric_limits<double>::infinity();
 constexpr hal::TimerId kNext = 1;
 constexpr hal::TimerId kBegin = 2;
 
-/// By Pattern.
+/// In the order of Pattern.
 constexpr std::array<const char*, 4> kPatterns{"saturated", "periodic", "poisson", "bursts"};
 
 std::optional<hal::Duration> or_unset(double seconds) {
@@ -30,13 +30,13 @@ std::optional<hal::Time> time_or_never(double seconds) {
   return hal::Time{*since_start};
 }
 
-/// Between two messages, or two bursts of them.
+/// Time between two messages, or two bursts of them.
 hal::Duration period_of(const hal::Parameters& parameters) {
   const double messages = parameters.text("pattern") == "bursts" ? parameters["burst"] : 1;
   return hal::from_seconds(messages / parameters["rate"]);
 }
 
-/// A parameter that only one pattern has.
+/// A parameter that is used by one pattern only.
 struct OfPattern {
   const char* parameter;
   const char* pattern;

@@ -9,19 +9,19 @@
 
 namespace controllers {
 
-/// Sends messages that say nothing, to one agent or to whoever hears it, from `start` until `stop`:
+/// Sends messages without content, to one agent or to its neighbours, from `start` until `stop`:
 ///
-///   saturated   `backlog` messages are under way at any time: each notice of what became of one is
-///               answered with the next
+///   saturated   keeps `backlog` messages under way: each notice of a message's fate triggers the
+///               next message
 ///   periodic    one every 1 / rate, the first `phase` after the start
-///   poisson     the times between two are exponential, 1 / rate on average
+///   poisson     exponential intervals with the mean 1 / rate
 ///   bursts      `burst` at once, every burst / rate, the first `phase` after the start
 ///
-/// A message that the queue had no room for is not replaced, so that a saturated source keeps the
-/// queue full and no more. What is lost or handed over in the very instant in which it was sent (a
-/// radio that is off, or instant) is replaced with the next control cycle only.
+/// A message refused by a full queue is not replaced, so that a saturated source keeps the queue
+/// full but no more. A message whose fate is known in the instant in which it was sent (the radio
+/// is off, or delivers instantly) is replaced only at the next control cycle.
 ///
-/// At the end it records `sent`, `handed_over`, `failed` and `queue_full`: messages.
+/// At the end it records the numbers of messages `sent`, `handed_over`, `failed` and `queue_full`.
 class TrafficSource : public hal::Controller {
  public:
   TrafficSource(hal::RealWorldObject& self, const hal::Parameters& parameters);
@@ -47,9 +47,9 @@ class TrafficSource : public hal::Controller {
   hal::RealWorldObject& self_;
   const Pattern pattern_;
   const std::string to_name_, topic_;
-  const std::size_t size_;                    ///< bytes
-  const hal::Duration period_;                ///< Between two messages, or bursts; on average.
-  const std::optional<hal::Duration> phase_;  ///< Nothing: drawn.
+  const std::size_t size_;      ///< bytes
+  const hal::Duration period_;  ///< Time between messages or bursts; a mean for poisson.
+  const std::optional<hal::Duration> phase_;  ///< nullopt: drawn at random.
   const int burst_;
   const std::size_t backlog_;
   const hal::Time start_;
@@ -57,7 +57,7 @@ class TrafficSource : public hal::Controller {
 
   hal::AgentId to_;
   hal::Time next_{};
-  std::map<hal::MessageId, hal::Time> under_way_;  ///< When they were sent.
+  std::map<hal::MessageId, hal::Time> under_way_;  ///< Times at which they were sent.
   std::uint32_t sent_ = 0, handed_over_ = 0, failed_ = 0, queue_full_ = 0;
 };
 

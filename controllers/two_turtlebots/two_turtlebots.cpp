@@ -9,10 +9,10 @@
 
 namespace {
 
-constexpr std::string_view kTopic = "goal";  // class of messages; routes are kept per class
+constexpr std::string_view kTopic = "goal";  // message class; routes are kept per class
 constexpr hal::TimerId kTell = 1;
 constexpr hal::Duration kTellAgain = std::chrono::seconds(1);
-constexpr std::size_t kMessageSize = 16;  // x and y in the world, m: IEEE 754, lowest byte first
+constexpr std::size_t kMessageSize = 16;  // x and y in the world, m: IEEE 754, little-endian
 
 hal::Bytes encode(hal::Vec2 place) {
   hal::Bytes bytes;
@@ -33,8 +33,8 @@ double decode(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-/// Drives about until it is near enough to an agent called `goal` to see it, or is told by another
-/// robot where that is; tells the others, drives there, and stays.
+/// Drives around until it is near enough to see the agent `goal`, or another robot sends it the
+/// position; sends the position to the others, drives there, and stays.
 class TwoTurtlebots : public hal::Controller {
  public:
   TwoTurtlebots(hal::Robot& robot, const hal::Parameters& parameters)
@@ -56,7 +56,7 @@ class TwoTurtlebots : public hal::Controller {
     if (arrived_) robot_.state("ARRIVED");
   }
 
-  void timer(hal::TimerId) override {  // again and again: a message to everyone is not repeated
+  void timer(hal::TimerId) override {  // periodically, because a broadcast is not repeated
     const auto sent = robot_.send(hal::kEveryone, kTopic, encode(*goal_));
     if (!sent) robot_.log(hal::log::Level::kWarning, sent.error().message);
     (void)robot_.set_timer(kTell, robot_.now() + kTellAgain);
@@ -72,7 +72,7 @@ class TwoTurtlebots : public hal::Controller {
   }
 
  private:
-  /// What is farther away than `localisation.range` of the scenario is not seen.
+  /// The agent is localised only within `localisation.range` of the scenario.
   void look_for_goal(const hal::Pose2& pose) {
     const auto goal = robot_.address_of("goal");
     if (!goal) return;
@@ -84,15 +84,15 @@ class TwoTurtlebots : public hal::Controller {
     (void)robot_.set_timer(kTell, robot_.now());
   }
 
-  /// Towards the goal or straight ahead; away from what is near in front of it.
+  /// Steers towards the goal, or straight ahead, and away from obstacles in front.
   hal::Twist2 steer(const hal::Pose2& pose, const hal::Scan& scan) {
-    double left = kFar, right = kFar;  // m, of what is nearest on each side ahead
+    double left = kFar, right = kFar;  // m, distance of the nearest obstacle on each side ahead
     for (std::size_t i = 0; i < scan.headings.size(); ++i) {
       if (hal::math::cos(scan.headings[i]) < kAhead || std::isnan(scan.ranges[i])) continue;
       double& nearest = hal::math::sin(scan.headings[i]) > 0 ? left : right;
       nearest = std::min(nearest, scan.ranges[i]);  // -infinity: too near to be measured
     }
-    if (std::min(left, right) < keep_off_) {  // it goes on turning the way it began
+    if (std::min(left, right) < keep_off_) {  // keeps turning the way it began
       if (turn_ == 0) turn_ = left < right ? -1 : 1;
       return {.omega = turn_};
     }
@@ -103,7 +103,7 @@ class TwoTurtlebots : public hal::Controller {
     return {.vx = std::abs(error) < 1 ? speed_ : 0, .omega = std::clamp(2 * error, -1.0, 1.0)};
   }
 
-  static constexpr double kFar = 10;     // m, beyond what the scanner sees
+  static constexpr double kFar = 10;     // m, beyond the scanner's range
   static constexpr double kAhead = 0.8;  // cosine: 37 degrees to either side
 
   hal::Robot& robot_;
@@ -111,7 +111,7 @@ class TwoTurtlebots : public hal::Controller {
   const double keep_off_;          // m
   const double arrive_at_;         // m
   std::optional<hal::Vec2> goal_;  // m, in the world
-  double turn_ = 0;                // rad/s, while something is in the way; else 0
+  double turn_ = 0;                // rad/s, while an obstacle is ahead; otherwise 0
   bool arrived_ = false;
 };
 

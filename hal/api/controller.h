@@ -18,10 +18,11 @@ namespace hal {
 class Controller {
  public:
   virtual ~Controller() = default;
-  /// Once, before all other calls. In the simulator at time 0 or, with `control_phase: uniform`, at
-  /// the agent's own phase of less than a control period: timers set here differ between agents.
+  /// Called once, before all other calls: in the simulator at time 0 or, with `control_phase:
+  /// uniform`, at the agent's own phase, which is shorter than a control period. Timers set here
+  /// then differ between agents.
   virtual void start() {}
-  virtual void step() {}  ///< Once per control cycle.
+  virtual void step() {}  ///< Called once per control cycle.
   /// A message has arrived: for this agent, for kEveryone, or for kNeighbours of its sender.
   virtual void receive(const Message& message) { (void)message; }
   /// A timer of RealWorldObject::set_timer() has expired.
@@ -29,14 +30,14 @@ class Controller {
   /// The result of a message that this agent sent.
   /// @param id  as RealWorldObject::send() returned it.   @param fate  the result.
   virtual void notice(MessageId id, Fate fate) { (void)id, (void)fate; }
-  virtual void stop() {}  ///< Once, when the run ends.
+  virtual void stop() {}  ///< Called once, when the run ends.
 };
 
 /// A value that a controller records.
 struct RecordSpec {
   std::string name{};     ///< As in RealWorldObject::record().
   std::string unit{};     ///< "s", "m", "1" for a plain number or a share, …
-  std::string meaning{};  ///< One line for people.
+  std::string meaning{};  ///< One-line description.
 };
 
 /// A contradiction between parameters that are valid one by one.
@@ -58,7 +59,7 @@ struct ControllerKind {
   /// Digest of the HAL's headers at compile time. A plug-in with another digest is refused. This
   /// stays the first member, so that it can be read whatever else has changed.
   std::string build_id = BARAKA_HAL_DIGEST;
-  std::string name{};                       ///< Of the program, e.g. "help_mote".
+  std::string name{};                       ///< Name of the program, e.g. "help_mote".
   Wants wants{};                            ///< Channels, topics and names that it subscribes to.
   std::vector<ParameterSpec> parameters{};  ///< All parameters that a scenario may set.
   /// Checks the combination of parameters before a run, each already checked by itself. Null: all

@@ -18,7 +18,7 @@ enum class ParameterKind : std::uint8_t { kNumber, kFlag, kText, kNumbers, kText
 /// Value of a parameter: a number [SI], a flag, a text, or a list of numbers or of texts.
 class ParameterValue {
  public:
-  /// A number [SI], or of a bool a flag.
+  /// A number [SI]; a bool becomes a flag.
   template <class Number>
   requires(std::integral<Number> || std::floating_point<Number>)
       ParameterValue(Number number) {  // NOLINT(google-explicit-constructor)
@@ -76,32 +76,34 @@ class Parameters;
 ///    .names = hal::Naming::kAgent}
 struct ParameterSpec {
   std::string name{};  ///< As in `parameters:` of a scenario.
-  std::string unit{};  ///< "s", "m", "m/s", "1" for a plain number, …; of numbers only.
+  /// "s", "m", "m/s", "1" for a plain number, …; for numbers only.
+  std::string unit{};
   ParameterValue default_value = 0;    ///< In SI units. Infinity: "never" or "none" in a file.
   double low = 0;                      ///< Least value of each number, SI.
   double high = 0;                     ///< Largest value of each number, SI.
-  std::string meaning{};               ///< One line for people.
+  std::string meaning{};               ///< One-line description.
   std::vector<std::string> choices{};  ///< Permitted texts. Empty: any.
   Naming names = Naming::kNothing;     ///< What a text, or each text of a list, names.
-  std::vector<std::string> besides{};  ///< Permitted texts that are no names, beside the default.
-  /// Whether the named thing is used with the other parameters as they are. Null: always.
+  /// Permitted texts that are not names, in addition to the default.
+  std::vector<std::string> besides{};
+  /// Whether the name is used, given the other parameters. Null: always.
   bool (*is_used)(const Parameters&) = nullptr;
 };
 
 /// The checked parameters of one agent, in SI units, including defaults.
 class Parameters {
  public:
-  /// By their names.
+  /// Values by parameter name.
   using Values = std::map<std::string, ParameterValue, std::less<>>;
 
   Parameters() = default;
-  /// @param values  one for each parameter of the kind, in SI units.
+  /// @param values  one for each parameter of the controller's kind, in SI units.
   /// @param given  names of those that the scenario sets.
   explicit Parameters(Values values, std::set<std::string, std::less<>> given = {})
       : values_(std::move(values)), given_(std::move(given)) {}
 
-  /// The number with this name, SI. @pre of this and the next four: the controller declares a
-  /// parameter with this name and kind; aborts otherwise.
+  /// The number with this name, SI. @pre for this and the next four functions: the controller
+  /// declares a parameter with this name and kind; aborts otherwise.
   double operator[](std::string_view name) const { return at(name).number(); }
   /// The flag of that name.
   bool flag(std::string_view name) const { return at(name).flag(); }

@@ -50,7 +50,7 @@ class RealWorldObject {
   /// Name of this agent, for people; valid for the life of the controller.
   virtual std::string_view name() const = 0;
   virtual Time now() const = 0;                 ///< Time of the event being handled.
-  virtual Duration control_period() const = 0;  ///< Between two calls of Controller::step().
+  virtual Duration control_period() const = 0;  ///< Time between two calls of Controller::step().
 
   /// The only network interface on which this controller may open its own sockets and DDS
   /// participants: in the simulator "wlan0" if the controller runs inside the agent's network, on
@@ -62,15 +62,16 @@ class RealWorldObject {
   /// of the run, a daemon its own and those on the map of its file. Only for controllers that
   /// request names (Wants::names); for others always nullopt, which is logged once.
   virtual std::optional<AgentId> address_of(std::string_view name) const = 0;
-  /// Name of the agent with that address, likewise; valid for the life of the controller.
+  /// Name of the agent with this address, under the same conditions; valid for the life of the
+  /// controller.
   virtual std::optional<std::string_view> name_of(AgentId agent) const = 0;
 
   /// Sends `payload` to one agent over any number of hops, to kEveryone by flooding, or to
   /// kNeighbours by one broadcast. Controller::notice reports the result.
   /// @param destination  an agent, kEveryone or kNeighbours.
   /// @param topic    message class, 1..kMaxTopic bytes.   @param payload  0..kMaxPayload bytes.
-  /// Errors: kInvalidArgument (sizes; destination is this agent itself; a topic more than the
-  /// kMaxTopics that one agent may use).
+  /// Errors: kInvalidArgument (sizes; the destination is this agent itself; this agent already uses
+  /// kMaxTopics other topics).
   virtual Result<MessageId> send(AgentId destination, std::string_view topic,
                                  std::span<const std::uint8_t> payload) = 0;
 
@@ -107,10 +108,11 @@ class RealWorldObject {
   /// Energy in the battery when it is full, J. Errors: as of battery_energy().
   virtual Result<double> battery_capacity() const = 0;
 
-  /// Switches the radio on or off. Off: the frame on the air is cut, the queue is dropped.
+  /// Switches the radio on or off. Switching it off cuts the frame on the air short and drops the
+  /// queue.
   virtual void set_radio(bool on) = 0;
 
-  /// This agent's own stream; equal seeds give equal numbers.
+  /// This agent's own random stream; equal seeds give equal numbers.
   virtual RandomStream& random() = 0;
 
   /// Declares the state of the controller, for the results and for end conditions.
@@ -125,7 +127,7 @@ class RealWorldObject {
   /// @param value  finite. Other names and values are refused, which is logged once.
   virtual void record(std::string_view name, double value) = 0;
 
-  /// One line in the log of the run, or of the daemon, with the time of now().
+  /// Writes one line to the log of the run, or of the daemon, with the time of now().
   virtual void log(log::Level level, std::string_view text) = 0;
 };
 

@@ -39,7 +39,8 @@ struct Scan {
 /// A reading of an inertial measurement unit, in its own frame.
 struct Imu {
   Vec3 angular_velocity;  ///< rad/s
-  Vec3 specific_force;  ///< m/s^2, mean since the previous control cycle; at rest gravity, upwards.
+  /// m/s^2, mean since the previous control cycle; at rest it equals gravity and points upwards.
+  Vec3 specific_force;
 };
 
 /// An agent that can drive, with wheels, odometry and the sensors of its file.
@@ -51,20 +52,22 @@ class Robot : public RealWorldObject {
   /// (NaN or infinite).
   virtual Result<Drive> set_body_velocity(const Twist2& twist) = 0;
 
+  /// Turns the driven wheels at these speeds until the next command.
   /// @param speeds  rad/s of each driven wheel about its axle, in the order of the robot's file.
   /// Errors: kInvalidArgument (count, NaN, beyond the limit: refused, not scaled).
   virtual Result<void> set_wheel_speeds(std::span<const double> speeds) = 0;
 
+  /// Latest readings of the infrared ranging sensors.
   /// Errors: kNotAvailable (no infrared, not asked for, not sampled yet, or lost: on hardware the
   /// sensors have not answered for the `stale_after` of the robot's file).
   virtual Result<std::vector<InfraredReading>> infrared() const = 0;
-  /// Errors: kNotAvailable (no odometry, not asked for, not sampled yet, or lost).
+  /// Latest odometry. Errors: kNotAvailable (no odometry, not asked for, not sampled yet, or lost).
   virtual Result<Odometry> odometry() const = 0;
 
-  /// The readings of the channels "scan", "imu", "bumper" and "pose"; those of further sensors of
-  /// the same kinds, under other names, come from reading(name). A scan is valid until the callback
-  /// returns. Errors, of all four: kNotAvailable (no such sensor, not asked for, not sampled yet,
-  /// or lost).
+  /// Latest readings of the channels "scan", "imu", "bumper" and "pose"; use reading(name) for
+  /// further sensors of the same kinds, which have other names. A scan is valid until the callback
+  /// returns. Errors of all four functions: kNotAvailable (no such sensor, not asked for, not
+  /// sampled yet, or lost).
   virtual Result<Scan> scan() const = 0;
   /// Rates of turn [rad/s] and specific force [m/s^2], in the frame of the unit.
   virtual Result<Imu> imu() const = 0;

@@ -23,12 +23,12 @@ Objection judge_heartbeat(Cursor& cursor, bool has_group, const Limits& limits,
   cursor.take(kEndpoints);
   first = cursor.sequence_number();
   const std::int64_t last = cursor.sequence_number();
-  cursor.take(4 + (has_group ? 28 : 0));  // count; of a group, numbers and a digest
+  cursor.take(4 + (has_group ? 28 : 0));  // count; with a group, also its numbers and a digest
   if (cursor.is_short()) return "it is too short";
   if (first < 1) return "its first sequence number is below 1";
   if (first > limits.sequence_number) return "its first sequence number is far beyond the last one";
   if (last < first - 1) return "its last sequence number is before its first";
-  // Receivers count on from there.
+  // Receivers count on from this number.
   if (last == std::numeric_limits<std::int64_t>::max())
     return "its last sequence number is no number";
   return {};
@@ -37,7 +37,8 @@ Objection judge_heartbeat(Cursor& cursor, bool has_group, const Limits& limits,
 Objection judge_acknack(Cursor& cursor) {
   cursor.take(kEndpoints);
   std::int64_t base = 0;
-  // 0: the reader has just met the writer and asks what there is (8.4.15.2, "pre-emptive").
+  // 0: the reader has just discovered the writer and asks for its samples (8.4.15.2,
+  // "pre-emptive").
   const Objection objection = read_sequence_number_set(cursor, 0, base);
   if (!objection.empty()) return objection;
   cursor.take(4);  // count

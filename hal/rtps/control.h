@@ -6,11 +6,11 @@
 
 namespace hal::rtps {
 
-/// Judges submessages that carry no samples: HEARTBEAT, ACKNACK, GAP, NACK_FRAG, HEARTBEAT_FRAG
-/// and INFO_* (OMG DDSI-RTPS 2.5, 8.3.7 and 9.4.5). Padding, what is encrypted, and what later
-/// versions and vendors have added pass: receivers skip it.
-/// @param source  participant that the submessages so far are from; changed by INFO_SRC.
-/// @param[out] sequence_number  the first that a HEARTBEAT tells of.
+/// Checks submessages that carry no samples: HEARTBEAT, ACKNACK, GAP, NACK_FRAG, HEARTBEAT_FRAG and
+/// INFO_* (OMG DDSI-RTPS 2.5, 8.3.7 and 9.4.5). Accepts padding, encrypted submessages, and those
+/// of later versions and vendors: receivers skip them.
+/// @param source  participant from which the submessages so far come; changed by INFO_SRC.
+/// @param[out] sequence_number  the first sequence number of a HEARTBEAT.
 Objection judge_control(const Submessage& submessage, const Limits& limits, GuidPrefix& source,
                         std::int64_t& sequence_number);
 

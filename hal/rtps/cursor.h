@@ -10,13 +10,13 @@
 
 namespace hal::rtps {
 
-/// What travels, as octets (OMG DDSI-RTPS 2.5, 9.4).
+/// Octets as transmitted (OMG DDSI-RTPS 2.5, 9.4).
 using Octets = std::span<const std::byte>;
 
 enum class Endianness : std::uint8_t { kBig, kLittle };
 
-/// Reads numbers one after another and never past the end: there everything is 0, and is_short()
-/// says so.
+/// Reads numbers one after another, never past the end: there every value is 0 and is_short() is
+/// true.
 class Cursor {
  public:
   Cursor(Octets octets, Endianness endianness) : octets_(octets), endianness_(endianness) {}
@@ -29,14 +29,14 @@ class Cursor {
     const std::uint64_t high = u32();
     return static_cast<std::int64_t>(high << 32U | u32());
   }
-  /// EntityId_t (9.3.1.2): four octets whatever the endianness.
+  /// EntityId_t (9.3.1.2): four octets in the same order for either endianness.
   EntityId entity() {
     const Octets taken = take(4);
     std::uint32_t value = 0;
     for (const std::byte octet : taken) value = value << 8U | std::to_integer<std::uint32_t>(octet);
     return {value};
   }
-  /// The next octets; none if there are not as many.
+  /// The next octets; empty if there are fewer.
   Octets take(std::size_t count) {
     if (count > left()) {
       is_short_ = true;

@@ -10,17 +10,17 @@ namespace hal::rtps {
 namespace {
 
 constexpr unsigned kInlineQosFlag = 1;
-constexpr unsigned kDataFlag = 2;     // DATA only; a DATA_FRAG has a payload in any case
-constexpr unsigned kKeyFlag = 3;      // of a DATA …
-constexpr unsigned kFragKeyFlag = 2;  // … and of a DATA_FRAG
-/// Octets from behind octetsToInlineQos to the inline QoS, in this version.
+constexpr unsigned kDataFlag = 2;     // only DATA; a DATA_FRAG always has a payload
+constexpr unsigned kKeyFlag = 3;      // of a DATA
+constexpr unsigned kFragKeyFlag = 2;  // of a DATA_FRAG
+/// Octets from the end of octetsToInlineQos to the inline QoS, in this version.
 constexpr std::uint16_t kToInlineQos = 16;
 constexpr std::uint16_t kFragToInlineQos = 28;
-/// Fast DDS reads octetsToInlineQos with a sign.
+/// Fast DDS reads octetsToInlineQos as a signed number.
 constexpr std::uint16_t kMostToInlineQos = 0x7ffc;
 constexpr std::size_t kEncapsulation = 4;
 
-/// The fields of a DATA_FRAG that a DATA has not.
+/// Reads the fields that only a DATA_FRAG has.
 Objection read_fragments(Cursor& cursor, const Limits& limits, Data& data) {
   data.first_fragment = cursor.u32();
   data.fragments = cursor.u16();
@@ -38,7 +38,7 @@ Objection read_fragments(Cursor& cursor, const Limits& limits, Data& data) {
   return {};
 }
 
-/// Octets that the fragments have: all but the last of a sample are whole.
+/// Size of the fragments in octets: all but the last fragment of a sample have the full size.
 std::size_t size_of_fragments(const Data& data) {
   const std::uint64_t begin = std::uint64_t{data.first_fragment - 1} * data.fragment_size;
   const std::uint64_t end = begin + std::uint64_t{data.fragments} * data.fragment_size;
@@ -62,7 +62,8 @@ Objection read_inline_qos(Cursor& cursor, const Submessage& submessage, const Gu
     }
     if (one->id == parameter::kStatusInfo) {
       qos.has_status = true;
-      qos.status = Cursor(one->value, Endianness::kBig).u32();  // octets, whatever the endianness
+      qos.status =
+          Cursor(one->value, Endianness::kBig).u32();  // octets, independent of the endianness
     }
     const bool is_foreign =
         source != nullptr && one->id == parameter::kKeyHash &&
@@ -73,9 +74,9 @@ Objection read_inline_qos(Cursor& cursor, const Submessage& submessage, const Gu
 }
 
 Objection judge_fragments(const Data& data) {
-  // Only whole samples can be judged, and nobody has so much to say of itself.
+  // Only whole samples can be checked, and real discovery data fit into one datagram.
   if (is_discovery(data.writer)) return "discovery comes in fragments";
-  // Up to 3 octets may fill it up to a multiple of 4.
+  // Up to 3 octets may pad it to a multiple of 4.
   const std::size_t size = size_of_fragments(data);
   if (data.payload.size() < size) return "its fragments are longer than it";
   if (data.payload.size() > size + 3) return "it is longer than its fragments";
@@ -99,7 +100,7 @@ Objection judge_payload(const Submessage& submessage, const GuidPrefix* source,
   return {};
 }
 
-/// @param offset  octets from the field that says it to the inline QoS.
+/// @param offset  octets from the end of the octetsToInlineQos field to the inline QoS.
 Objection judge_offset(std::uint16_t offset, bool is_fragment) {
   if (offset < (is_fragment ? kFragToInlineQos : kToInlineQos)) {
     return "its inline QoS begins within its header";

@@ -72,8 +72,8 @@ constexpr std::uint32_t kLocatorKinds[] = {
     0x01000000,  // shared memory of RTI Connext
 };
 
-/// A length, as many octets of which the last is 0, and up to 3 to the next multiple of 4. Some
-/// senders leave those out at the end.
+/// A length and that number of octets, of which the last is 0, then padding to a multiple of 4.
+/// Some senders omit the padding at the end.
 bool skip_string(Cursor& cursor) {
   const std::uint32_t length = cursor.u32();
   const Octets text = cursor.take(length);
@@ -91,7 +91,7 @@ bool skip_octets(Cursor& cursor) {
   return true;
 }
 
-/// A sequence: its length, then that often what `skip` goes over.
+/// A sequence: its length, then that number of elements, which `skip` passes over.
 template <class Skip>
 bool skip_each(Cursor& cursor, const Skip& skip) {
   const std::uint32_t count = cursor.u32();
@@ -103,7 +103,7 @@ bool skip_each(Cursor& cursor, const Skip& skip) {
 
 bool skip_strings(Cursor& cursor) { return skip_each(cursor, skip_string); }
 
-/// Properties, and binary properties unless the list ends before.
+/// Properties, then binary properties unless the list ends before them.
 bool skip_properties(Cursor& cursor) {
   const auto skip_two = [](Cursor& c) { return skip_string(c) && skip_string(c); };
   const auto skip_binary = [](Cursor& c) { return skip_string(c) && skip_octets(c); };
@@ -209,7 +209,7 @@ Objection judge_discovery(Octets payload, const GuidPrefix* source) {
 Objection judge_participant_message(Octets payload) {
   Cursor encapsulation(payload, Endianness::kBig);
   const std::uint16_t kind = encapsulation.u16();
-  // CDR, says the standard; Fast DDS writes that it is a list of parameters.
+  // The standard requires CDR; Fast DDS declares a list of parameters.
   if (kind > kPlCdrLittle) return "a participant message is of another encoding";
   Cursor cursor(payload, kind % 2 == 1 ? Endianness::kLittle : Endianness::kBig);
   cursor.take(4 + sizeof(GuidPrefix::octets) + 4);  // encapsulation, sender, kind

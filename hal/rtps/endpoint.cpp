@@ -17,7 +17,7 @@ Guid to_guid(Octets value) {
   return guid;
 }
 
-/// A length, then as many octets of which the last is 0.
+/// A length and that number of octets, of which the last is 0.
 std::string_view to_text(Octets value, Endianness endianness) {
   Cursor cursor(value, endianness);
   const Octets text = cursor.take(cursor.u32());

@@ -17,19 +17,21 @@ struct Guid {
   auto operator<=>(const Guid&) const = default;
 };
 
-/// What SEDP tells of a writer or reader (9.6.2.2). Views into the payload.
+/// The description of a writer or reader in SEDP (9.6.2.2). Views into the payload.
 struct DiscoveredEndpoint {
-  Guid guid;                      ///< PID_ENDPOINT_GUID, or the key hash of what is disposed.
-  std::string_view topic;         ///< Empty: not told, as of what is disposed.
-  std::string_view type;          ///< Likewise.
-  std::uint32_t reliability = 0;  ///< 1 best effort, 2 reliable; 0: not told, see the standard.
-  std::uint32_t durability = 0;   ///< 0 volatile, 1 transient local, 2 transient, 3 persistent.
-  Octets partitions;              ///< The sequence of strings as it is; empty: not told.
+  Guid guid;               ///< PID_ENDPOINT_GUID, or the key hash of a disposed endpoint.
+  std::string_view topic;  ///< Empty: not given, e.g. for a disposed endpoint.
+  std::string_view type;   ///< Likewise.
+  /// 1 best effort, 2 reliable; 0: not given, the standard's default.
+  std::uint32_t reliability = 0;
+  std::uint32_t durability = 0;  ///< 0 volatile, 1 transient local, 2 transient, 3 persistent.
+  Octets partitions;             ///< The encoded sequence of strings; empty: not given.
   Endianness endianness = Endianness::kBig;  ///< Of `partitions`.
 };
 
-/// Reads the payload of a DATA of a SEDP writer of publications or subscriptions. Nothing is
-/// allocated. @return none: it names no endpoint, or is cut off.
+/// Reads the payload of a DATA of a SEDP writer of publications or subscriptions, without
+/// allocation.
+/// @return nullopt: it names no endpoint, or is truncated.
 std::optional<DiscoveredEndpoint> read_endpoint(Octets payload);
 
 }  // namespace hal::rtps

@@ -6,10 +6,10 @@
 
 namespace hal::rtps {
 
-/// Why a datagram is none of RTPS, or none that a receiver should look at. Cheap to make: the texts
+/// Why a datagram is not RTPS, or should not be passed to a receiver. Cheap to create: the texts
 /// are constants.
 struct Fault {
-  std::size_t at = 0;     ///< Octets from the start of the datagram to the part it is in.
+  std::size_t at = 0;     ///< Octets from the start of the datagram to the faulty part.
   std::string_view part;  ///< "header", "DATA", …
   std::string_view what;
 
@@ -17,7 +17,7 @@ struct Fault {
   std::string text() const;
 };
 
-/// What is wrong with a part, or empty: nothing.
+/// What is wrong with a part; empty if nothing is.
 using Objection = std::string_view;
 
 }  // namespace hal::rtps

@@ -5,17 +5,16 @@
 
 namespace hal::rtps {
 
-/// What the standard allows and a receiver cannot stand: how much one datagram may make it do.
+/// Limits on the work that one datagram may cause in a receiver, where the standard sets none.
 struct Limits {
-  /// Of a sample that comes in fragments, octets: receivers take the memory with the first one.
+  /// Size of a fragmented sample, octets: receivers allocate it with the first fragment.
   std::uint32_t sample_size = 64U << 20U;
-  /// Sequence numbers that one GAP declares missing: receivers go through them one by one.
+  /// Sequence numbers that one GAP declares missing: receivers process them one by one.
   std::int64_t gap = 1 << 20;
-  /// Of a sample, and of the first one that a HEARTBEAT tells of: receivers count up to it one by
-  /// one from the last they know.
+  /// Sequence number of a sample, and the first one in a HEARTBEAT: receivers count up to it one by
+  /// one from the last one they know.
   std::int64_t sequence_number = std::numeric_limits<std::int64_t>::max() - 1;
-  /// Whether discovery may tell of participants other than the one that sends it, as discovery
-  /// servers do.
+  /// Whether discovery may describe participants other than its sender, as discovery servers do.
   bool relayed_discovery = true;
 };
 

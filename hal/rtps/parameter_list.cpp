@@ -9,7 +9,7 @@ const Parameter* ParameterList::next() {
     objection_ = "a list of parameters has no end";
     return nullptr;
   }
-  if (current_.id == parameter::kSentinel) return nullptr;  // its length means nothing
+  if (current_.id == parameter::kSentinel) return nullptr;  // its length has no meaning
   if (length % 4 != 0) {
     objection_ = "the length of a parameter is no multiple of 4";
     return nullptr;

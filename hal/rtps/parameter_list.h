@@ -7,13 +7,13 @@
 
 namespace hal::rtps {
 
-/// One parameter of a list: an id and octets whose meaning it tells.
+/// One parameter of a list: an id, and octets whose meaning the id determines.
 struct Parameter {
   std::uint16_t id = 0;
   Octets value;
 };
 
-/// Ids that are looked at (OMG DDSI-RTPS 2.5, tables 9.13 and 9.15).
+/// Ids that are evaluated (OMG DDSI-RTPS 2.5, tables 9.13 and 9.15).
 namespace parameter {
 inline constexpr std::uint16_t kPad = 0x0000;
 inline constexpr std::uint16_t kSentinel = 0x0001;
@@ -28,18 +28,18 @@ inline constexpr std::uint16_t kKeyHash = 0x0070;
 inline constexpr std::uint16_t kStatusInfo = 0x0071;
 }  // namespace parameter
 
-/// Walks over a ParameterList (9.4.2.11): an id and a length, as many octets, and so on to the
-/// sentinel.
+/// Iterates over a ParameterList (9.4.2.11): an id, a length and that number of octets, repeated
+/// until the sentinel.
 ///
 ///   ParameterList list(cursor, endianness);
 ///   while (const Parameter* one = list.next()) …
 ///   if (!list.objection().empty()) …
 class ParameterList {
  public:
-  /// @param cursor  at the first parameter; behind the sentinel once next() gave null.
+  /// @param cursor  at the first parameter; after the sentinel once next() has returned null.
   ParameterList(Cursor& cursor, Endianness endianness) : cursor_(cursor), endianness_(endianness) {}
 
-  /// Null at the sentinel, or at what cannot be walked over.
+  /// Null at the sentinel, or where the list is malformed.
   const Parameter* next();
   Objection objection() const { return objection_; }
   Endianness endianness() const { return endianness_; }

@@ -3,8 +3,8 @@
 namespace hal::rtps {
 namespace {
 
-/// Where the reader's id is in the body; the writer's follows. 4 in DATA and DATA_FRAG, which begin
-/// with further flags and the distance to the inline QoS (9.4.5.3, 9.4.5.4).
+/// Offset of the reader's id in the body; the writer's follows. 4 in DATA and DATA_FRAG, which
+/// begin with extra flags and the distance to the inline QoS (9.4.5.3, 9.4.5.4).
 std::size_t offset_of_reader(SubmessageKind kind) {
   return kind == SubmessageKind::kData || kind == SubmessageKind::kDataFrag ? 4 : 0;
 }

@@ -9,8 +9,8 @@
 
 namespace hal::rtps {
 
-/// What a submessage is (OMG DDSI-RTPS 2.5, 9.4.5.1.1; 0x30 to 0x34: OMG DDS Security 1.1, 7.3.6).
-/// Others exist, of later versions (below 0x80) and of vendors; receivers skip them.
+/// Kind of a submessage (OMG DDSI-RTPS 2.5, 9.4.5.1.1; 0x30 to 0x34: OMG DDS Security 1.1, 7.3.6).
+/// There are others, of later versions (below 0x80) and of vendors; receivers skip them.
 enum class SubmessageKind : std::uint8_t {
   kPad = 0x01,
   kAckNack = 0x06,
@@ -35,21 +35,21 @@ enum class SubmessageKind : std::uint8_t {
 /// "DATA", "HEARTBEAT", …; "vendor's" or "unknown" for others.
 std::string_view name_of(SubmessageKind kind);
 
-/// One submessage of a datagram, as the walk comes by.
+/// One submessage of a datagram, as Walk returns it.
 struct Submessage {
   SubmessageKind kind = SubmessageKind::kPad;
   std::uint8_t flags = 0;
-  std::size_t at = 0;  ///< Of its header within the datagram, octets.
-  Octets body;         ///< What follows the header of four octets.
+  std::size_t at = 0;  ///< Offset of its header within the datagram, octets.
+  Octets body;         ///< The octets after the header of four octets.
 
   Endianness endianness() const { return has_flag(0) ? Endianness::kLittle : Endianness::kBig; }
   /// Flag X of the standard's tables: the bit with that number, 0 being E.
   bool has_flag(unsigned bit) const { return (flags >> bit & 1U) != 0; }
-  /// Whether it goes from one endpoint to another, so that reader() and writer() mean something.
+  /// Whether it goes from one endpoint to another, so that reader() and writer() are defined.
   bool has_endpoints() const;
-  EntityId reader() const;  ///< kUnknownEntity: every reader it fits; also if there is none.
+  EntityId reader() const;  ///< kUnknownEntity: every matching reader; also if there is none.
   EntityId writer() const;
-  /// Octets on the way, with the header.
+  /// Octets as transmitted, including the header.
   std::size_t size() const { return 4 + body.size(); }
 };
 

@@ -24,7 +24,7 @@ std::optional<Fault> fault_in(Octets datagram, const Limits& limits, std::int64_
                                     ? judge_data(*one, source, limits, data)
                                     : judge_control(*one, limits, source, data.sequence_number);
     if (!objection.empty()) return Fault{one->at, name_of(one->kind), objection};
-    // Who speaks for others can relay their discovery, too.
+    // A sender that speaks for others could also relay their discovery.
     if (!limits.relayed_discovery && source != walk.header().source) {
       return Fault{one->at, name_of(one->kind), "it is for another participant than the sender"};
     }

@@ -9,15 +9,15 @@
 
 namespace hal::rtps {
 
-/// What a datagram is refused for: every field that a receiver follows, of every submessage, is
-/// looked at before it is; nothing is allocated. Any thread.
-/// @param[out] highest  sequence number of a sample or the first of a HEARTBEAT, if it is above
-/// what
-///   stood there; only if nothing is wrong.
+/// Checks a datagram: every field that a receiver would use, of every submessage, without
+/// allocation. Any thread.
+/// @param[out] highest  raised to the highest sequence number of a sample, or first one in a
+///   HEARTBEAT, if that is greater; unchanged if there is a fault.
+/// @return the reason to refuse the datagram; nullopt if there is none.
 std::optional<Fault> fault_in(Octets datagram, const Limits& limits, std::int64_t& highest);
 std::optional<Fault> fault_in(Octets datagram, const Limits& limits = {});
 
-/// The same for whoever prefers a sentence.
+/// The same with the reason as an error message.
 /// Errors: kProtocol "octet 24: DATA: its payload is too short".
 Result<void> validate(Octets datagram, const Limits& limits = {});
 

@@ -8,8 +8,8 @@ namespace {
 constexpr std::uint8_t kMajor = 2;
 constexpr std::array kMagic{std::byte{'R'}, std::byte{'T'}, std::byte{'P'}, std::byte{'S'}};
 
-/// Of these, a length of 0 means that the body is empty, of others that it goes on to the end of
-/// the datagram (9.4.5.1.3).
+/// Whether a length of 0 means an empty body; for all other kinds it means that the body extends to
+/// the end of the datagram (9.4.5.1.3).
 bool may_be_empty(SubmessageKind kind) {
   return kind == SubmessageKind::kPad || kind == SubmessageKind::kInfoTimestamp;
 }
@@ -48,7 +48,7 @@ const Submessage* Walk::next() {
   const std::size_t left = datagram_.size() - at - 4;
   if (length == 0 && !may_be_empty(current_.kind)) length = left;
   if (length > left) return stop(at, "it is longer than the datagram");
-  // Receivers differ in where they look for the next one otherwise (9.4.1: aligned to 4).
+  // Otherwise receivers differ in where they look for the next one (9.4.1: aligned to 4).
   if (length < left && length % 4 != 0) return stop(at, "the next one is not aligned to 4 octets");
   current_.body = datagram_.subspan(at + 4, length);
   next_ = at + 4 + length;

@@ -19,19 +19,19 @@ struct Header {
   GuidPrefix source;  ///< The participant that sent it.
 };
 
-/// Walks over the submessages of one datagram, in order. What is in them is not looked at; validate
-/// does that.
+/// Iterates over the submessages of one datagram, in order. Their contents are not checked;
+/// validate() does that.
 ///
 ///   Walk walk(datagram);
 ///   while (const Submessage* one = walk.next()) count(*one);
 ///   if (walk.fault()) …
 class Walk {
  public:
-  /// @param datagram  must outlive this object and what next() gives.
+  /// @param datagram  must outlive this object and the results of next().
   explicit Walk(Octets datagram);
 
   const Header& header() const { return header_; }
-  /// Null at the end, or at what cannot be walked over.
+  /// Null at the end, or where the datagram is malformed.
   const Submessage* next();
   const std::optional<Fault>& fault() const { return fault_; }
 

@@ -14,7 +14,7 @@ struct AgentId {
 
 /// Destination of a message that floods the whole network. Never the address of an agent.
 inline constexpr AgentId kEveryone{0xffff};
-/// Destination of a message to whoever hears its sender: one broadcast, which nobody repeats.
+/// Destination of a message to all neighbours of its sender: one broadcast that is never forwarded.
 inline constexpr AgentId kNeighbours{0xfffe};
 /// Agents have the addresses 1 .. kLastAddress.
 inline constexpr std::uint16_t kLastAddress = 0xfffd;

@@ -12,8 +12,8 @@ namespace hal {
 /// A stream of readings that an agent offers. A new sensor needs a new channel, not a new type.
 ///
 /// name          kind                unit            values
-/// infrared      range               m               one per sensor; NaN: nothing within reach
-/// infrared_volts voltage            V               one per sensor, as the converter saw it
+/// infrared      range               m               one per sensor; NaN: nothing within range
+/// infrared_volts voltage            V               one per sensor, as the converter measured it
 /// odometry      odometry            m, rad, m/s     x, y, theta since start; vx, vy, omega in body
 /// localisation  relative_position   address, m      triples (address, x, y), body frame, by
 ///                                                   address
@@ -21,10 +21,10 @@ namespace hal {
 ///                                                   -infinity: nearer than `low`
 /// pose          pose                m, rad          x, y, heading in the world
 /// bumper        bumper              1               1: touched since the reading before, else 0
-/// battery       battery             1, V, A, J, J   charge 0..1; voltage; current drawn; energy in
-///                                                   it now, and when it is full
+/// battery       battery             1, V, A, J, J   charge 0..1; voltage; current drawn; energy
+///                                                   stored now, and when full
 /// imu           imu                 rad/s, m/s^2    rate of turn x, y, z; specific force x, y, z
-/// sonar         sonar               m               as one of scan
+/// sonar         sonar               m               one range, with the special values of a scan
 ///
 /// An agent has the first four channels if it has the devices. Channels of `sensors:` in its file
 /// have the names that the file gives them.
@@ -39,11 +39,12 @@ struct Channel {
   std::string unit;
   /// Number of values in a reading; 0: it varies from reading to reading.
   std::uint32_t length = 0;
-  /// Between samples; zero: sampled at each control instant.
+  /// Time between two samples; zero: sampled at each control instant.
   Duration period{};
   /// "base" (the body), "world", or the link that carries the sensor.
   std::string frame;
-  /// Range and scan: rad in `frame`, one per value. Sonar: two, the edges of its cone. Else empty.
+  /// Range and scan: rad in `frame`, one per value. Sonar: two, the edges of its cone. Otherwise
+  /// empty.
   std::vector<double> headings;
   double low = 0,  ///< Smallest value that the sensor can measure, in `unit`.
       high = 0;    ///< Largest value, in `unit`. Both 0: not specified.

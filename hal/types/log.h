@@ -15,7 +15,7 @@ namespace hal::log {
 /// the agent's own time, so two runs of one scenario log the same bytes.
 enum class Level { kDebug, kInfo, kWarning, kError };
 
-/// Receives each line that is not below the level. @param at  the agent's time.
+/// Receives each line whose level is enabled. @param at  the agent's time.
 /// @param where  source of the line, e.g. "r0/controller".
 using Sink = void (*)(Level level, Time at, std::string_view where, std::string_view text);
 

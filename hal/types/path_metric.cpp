@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kLeastEnergy = 1e-15;  // J
 constexpr double kMostSnr = 100;        // dB, either way
-/// Bound of one factor, and its inverse: of large weights, so that no product of all leaves the
-/// range of a double.
+/// Upper bound of one factor; the lower bound is its inverse. Keeps the product of all factors
+/// within the range of a double, whatever the weights.
 constexpr double kMostFactor = 1e75;
 
 constexpr std::string_view name_of(PathStatistic statistic) {
@@ -46,7 +46,7 @@ constexpr double PathMetric::*weight_of(PathStatistic statistic) {
   BARAKA_CHECK(false);
 }
 
-/// bit/s per Hz over a channel of that signal to noise ratio.
+/// Shannon capacity per bandwidth [bit/s per Hz] of a channel with this signal-to-noise ratio.
 double capacity(double snr_db) {
   const double snr = math::pow(10.0, std::clamp(snr_db, -kMostSnr, kMostSnr) / 10);
   return math::log(1 + snr) / math::log(2.0);
@@ -66,7 +66,7 @@ double value(PathStatistic statistic, const PathStatistics& path) {
   return 1;
 }
 
-/// Unnormalised probabilities. Relative to the best, so that no power overflows.
+/// Unnormalised probabilities, relative to the best route so that no power overflows.
 std::vector<double> relative_weights(std::span<const Route> routes, const PathMetric& metric,
                                      double beta) {
   std::vector<double> result;
@@ -125,7 +125,7 @@ std::size_t draw_route(std::span<const Route> routes, const PathMetric& metric, 
     left -= weights[i];
     if (left < 0) return i;
   }
-  return weights.size() - 1;  // rounding left a crumb of probability over
+  return weights.size() - 1;  // rounding left a remainder
 }
 
 }  // namespace hal

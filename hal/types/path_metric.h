@@ -21,7 +21,7 @@ enum class PathStatistic : std::uint8_t {
   kEnergy   ///< Energy to transmit one packet along the path.
 };
 
-/// All of them.
+/// All path statistics.
 inline constexpr std::array kPathStatistics{PathStatistic::kHops, PathStatistic::kDelay,
                                             PathStatistic::kMinSnr, PathStatistic::kEnergy};
 
@@ -45,14 +45,14 @@ struct PathMetric {
   /// >= 0. H of the paper: replaces r if the next hop is the destination itself; 0: no exception.
   double direct_weight = 1e6;
 
-  /// Weight of a statistic: the member of its name.
+  /// Weight of a statistic: the member with its name.
   double weight(PathStatistic statistic) const;
   /// Sets the weight, >= 0, of a statistic.
   void set_weight(PathStatistic statistic, double weight);
   bool operator==(const PathMetric&) const = default;  ///< Member by member.
 };
 
-/// The metric in which only this statistic has a weight, 1.
+/// The metric in which this statistic has weight 1 and all others weight 0.
 PathMetric path_metric(PathStatistic statistic, double direct_weight = 1e6);
 /// The statistic with this name(); nullopt if there is none.
 std::optional<PathStatistic> path_statistic(std::string_view name);

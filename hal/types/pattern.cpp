@@ -5,7 +5,8 @@
 namespace hal {
 
 bool matches(std::string_view pattern, std::string_view name) {
-  // The last star and where its letters end so far: on a mismatch it takes one letter more.
+  // The last star, and the end of the characters that it matches so far: on a mismatch it takes one
+  // more.
   std::size_t star = std::string_view::npos;
   std::size_t taken = 0;
   std::size_t p = 0;

@@ -14,7 +14,7 @@ unsigned byte_at(std::string_view text, std::size_t i) {
 
 bool is_within(unsigned byte, unsigned low, unsigned high) { return byte >= low && byte <= high; }
 
-/// Characters of several bytes: the ranges of the first two; all others are 0x80 to 0xBF.
+/// Multi-byte characters: permitted ranges of the first two bytes; all others are 0x80 to 0xBF.
 struct Row {
   unsigned first_low, first_high, second_low, second_high;
   std::size_t size;
@@ -48,7 +48,7 @@ std::size_t character_size(std::string_view text) {
   return 0;
 }
 
-/// Of well-formed UTF-8. C1 is U+0080 to U+009F.
+/// Whether a well-formed UTF-8 character is a control character. C1 is U+0080 to U+009F.
 bool is_control(std::string_view character) {
   const unsigned first = byte_at(character, 0);
   if (character.size() == 2) return first == 0xC2 && byte_at(character, 1) < 0xA0;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t kFnvOffset = 0xcbf29ce484222325u;
 constexpr std::uint64_t kFnvPrime = 0x100000001b3u;
 
-/// Finaliser of SplitMix64: every bit of z decides every bit of the result.
+/// Finaliser of SplitMix64: every bit of z affects every bit of the result.
 std::uint64_t mix(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;

@@ -37,8 +37,8 @@ bool begins_with_word(std::string_view text) {
   return false;
 }
 
-/// Takes what comes before the first separator, and its colon, off the text; nothing if there is no
-/// separator.
+/// Removes the text before the first separator, and the separator's colon, from `text` and returns
+/// it; empty if there is no separator.
 std::string_view taken_part(std::string_view& text) {
   const std::size_t end = text.find(kSeparator);
   if (end == std::string_view::npos) return {};
@@ -47,7 +47,8 @@ std::string_view taken_part(std::string_view& text) {
   return part;
 }
 
-/// "file:2:11: tx_power: 45 dBm is …". What has a space in it is no word of a place.
+/// Colours a line such as "file:2:11: tx_power: 45 dBm is …". A part with a space in it is not
+/// coloured as the word.
 std::string coloured_line(Tone tone, std::string_view line) {
   if (line.starts_with(' ')) return std::string(line);
   std::string result = styled(fmt::emphasis::bold, taken_part(line));

@@ -7,7 +7,7 @@
 
 namespace hal {
 
-/// What a controller subscribes to. It gets this and nothing else.
+/// What a controller subscribes to. It receives nothing else.
 ///
 ///   .wants = {.channels = {"infrared"}, .optional = {"battery"}}
 struct Wants {

@@ -10,7 +10,7 @@
 
 namespace idl::ros {
 
-/// How ROS 2 names a message: "sensor_msgs/msg/LaserScan".
+/// ROS 2 name of a message type: "sensor_msgs/msg/LaserScan".
 template <class Message>
 inline constexpr std::string_view kTypeName;
 template <>
@@ -54,9 +54,9 @@ template <>
 inline constexpr std::string_view kTypeName<baraka_msgs::msg::dds_::Value_> =
     "baraka_msgs/msg/Value";
 
-/// Writes a message as Fast DDS puts it on the wire: plain CDR, little endian, behind four bytes
-/// that say so (OMG DDS-XTypes 1.3, 7.4.1 and 7.6.3.1.2).
-/// @param bytes  become the message; what was in them is gone.
+/// Writes a message as Fast DDS transmits it: plain CDR, little endian, after four bytes that
+/// declare this encoding (OMG DDS-XTypes 1.3, 7.4.1 and 7.6.3.1.2).
+/// @param bytes  replaced by the message.
 template <class Message>
 void write_cdr(const Message& message, std::string& bytes) {
   constexpr std::size_t kEncapsulation = 4;

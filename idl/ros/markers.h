@@ -10,13 +10,13 @@
 
 namespace idl::ros {
 
-/// A body where it stands in the world.
+/// A body and its pose in the world.
 struct PlacedBody {
   const hal::DrawnBody& body;
   const hal::Pose2& pose;
 };
 
-/// Adds one marker for each solid of a body, in frame "world". Their `ns` is `name`.
+/// Adds one marker in frame "world" for each solid of a body. Their `ns` is `name`.
 void add_markers(std::vector<visualization_msgs::msg::dds_::Marker_>& markers, hal::Time at,
                  const std::string& name, const PlacedBody& placed);
 

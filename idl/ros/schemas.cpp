@@ -10,9 +10,10 @@
 namespace idl::ros {
 namespace {
 
-/// By package/Name: fields and constants of the .msg files of builtin_interfaces
+/// Fields and constants by package/Name, from the .msg files of builtin_interfaces
 /// (ros2/rcl_interfaces), std_msgs, geometry_msgs, nav_msgs, sensor_msgs, visualization_msgs
-/// (ros2/common_interfaces) and tf2_msgs (ros2/geometry2), without their comments; and ours.
+/// (ros2/common_interfaces) and tf2_msgs (ros2/geometry2), without their comments; and those of
+/// this project.
 constexpr std::pair<std::string_view, std::string_view> kDefinitions[] = {
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"builtin_interfaces/Duration", "int32 sec\nuint32 nanosec\n"},
@@ -101,7 +102,7 @@ const std::map<std::string_view, std::string_view>& definitions() {
   return all;
 }
 
-/// Messages that a definition names, as package/Name, in its order.
+/// Messages used in a definition, as package/Name, in its order.
 std::vector<std::string> used_by(const std::string& type) {
   const std::string package = type.substr(0, type.find('/') + 1);
   std::string_view rest = definitions().at(type);
@@ -117,7 +118,7 @@ std::vector<std::string> used_by(const std::string& type) {
   return used;
 }
 
-/// Adds the definitions that `type` needs, each once and as deep as they go.
+/// Adds the definitions on which `type` depends, directly or indirectly, each once.
 void add_dependencies(const std::string& type, std::set<std::string>& known, std::string& text) {
   for (const std::string& name : used_by(type)) {
     if (!known.insert(name).second) continue;
@@ -130,7 +131,7 @@ void add_dependencies(const std::string& type, std::set<std::string>& known, std
 }  // namespace
 
 std::string schema(std::string_view type) {
-  // "package/msg/Name" is written without "msg" within definitions.
+  // Inside definitions, "package/msg/Name" is written without "msg".
   std::string name(type);
   const std::size_t middle = name.find("/msg/");
   if (middle == std::string::npos) throw std::out_of_range("no message type: " + name);

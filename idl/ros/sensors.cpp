@@ -45,7 +45,7 @@ void Bumper::measure(Message& message, hal::Time, std::span<const double> values
 
 void Imu::describe(Message& message, const std::string& agent, const hal::Channel& channel) {
   message.header().frame_id(agent + "/" + channel.frame);
-  message.orientation_covariance()[0] = -1;  // it tells no orientation
+  message.orientation_covariance()[0] = -1;  // no orientation is measured
 }
 
 void Imu::measure(Message& message, hal::Time at, std::span<const double> values) {

@@ -11,10 +11,10 @@
 
 namespace idl::ros {
 
-// The message of ROS 2 that each kind of channel has, for a topic of a run under way and for an
-// MCAP file alike. describe() writes into a message what does not change from reading to reading;
-// measure() writes a reading, of at least kValues values. Infrared and odometry, which are shown
-// unasked, are no kinds here.
+// ROS 2 message of each kind of channel, for topics of a run and for MCAP files alike. describe()
+// sets the fields that are the same for all readings; measure() sets those of a reading of at least
+// kValues values. Infrared and odometry are not among these kinds, because they are always
+// published.
 
 struct Battery {
   using Message = sensor_msgs::msg::dds_::BatteryState_;
@@ -64,10 +64,10 @@ struct Sonar {
   static void measure(Message& message, hal::Time at, std::span<const double> values);
 };
 
-/// All of them. A kind that is missing here has no topic and is left out of MCAP files.
+/// All of these. A kind that is missing here has no topic and is omitted from MCAP files.
 using SensorKinds = std::tuple<Battery, Bumper, Imu, Pose, Scan, Sonar>;
 
-/// Calls `on_kind` with an object of the struct above whose kind the channel has, if there is one.
+/// Calls `on_kind` with an object of the struct above for this kind of channel, if there is one.
 template <class OnKind>
 void for_kind(std::string_view kind, const OnKind& on_kind) {
   const auto try_one = [&](auto one) {

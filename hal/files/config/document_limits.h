@@ -5,16 +5,16 @@
 
 namespace hal::files::config {
 
-/// How much a document may hold: far more than any simulation needs, and little enough that a file
-/// that was made to exhaust its reader is refused in a second.
-inline constexpr std::uintmax_t kMostBytes = 8U << 20U;  ///< Of one file.
-inline constexpr int kMostFiles = 1000;                  ///< Included ones and the first one.
-inline constexpr std::size_t kMostValues = 500'000;      ///< Of all files.
-inline constexpr std::size_t kMostKeys = 10'000;         ///< Of one mapping.
-inline constexpr int kDeepestInclude = 50;               ///< Mappings around an `include`.
-inline constexpr std::size_t kMostParts = 50;            ///< Of the path of an override.
+/// Limits on a document: far beyond the needs of any simulation, but low enough to refuse within a
+/// second a file that was made to exhaust its reader.
+inline constexpr std::uintmax_t kMostBytes = 8U << 20U;  ///< Size of one file.
+inline constexpr int kMostFiles = 1000;                  ///< The first file and all included ones.
+inline constexpr std::size_t kMostValues = 500'000;      ///< In all files together.
+inline constexpr std::size_t kMostKeys = 10'000;         ///< In one mapping.
+inline constexpr int kDeepestInclude = 50;     ///< Nesting depth of an `include` in mappings.
+inline constexpr std::size_t kMostParts = 50;  ///< Parts of the path of an override.
 
-/// Mistakes that are reported, and letters of one; the rest is counted.
+/// Limits on reported mistakes and on characters in one; the rest is only counted.
 inline constexpr std::size_t kMostMessages = 1000;
 inline constexpr std::size_t kLongestMessage = 2000;
 inline constexpr std::size_t kLongestWord = 500;

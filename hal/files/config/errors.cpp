@@ -10,14 +10,14 @@ namespace hal::files::config {
 
 namespace {
 
-/// Takes out the middle of what is longer than `most`.
+/// Removes the middle of a text longer than `most`.
 void shorten(std::string& text, std::size_t most) {
   if (text.size() <= most) return;
   const std::string cut = fmt::format("...({} bytes)...", text.size());
   text.replace(most / 2, text.size() - most, cut);
 }
 
-/// For people and their terminals: no control characters, no word or line without end.
+/// Makes a message fit for terminals: no control characters, no overlong words or lines.
 std::string presentable(const std::string& message) {
   std::string result;
   std::string word;
@@ -40,7 +40,7 @@ std::string presentable(const std::string& message) {
   return result;
 }
 
-/// Makes the messages presentable and puts them into one text.
+/// Makes the messages presentable and joins them into one text.
 std::string presented(std::vector<std::string>& messages) {
   const std::size_t count = messages.size();
   if (count > kMostMessages) messages.resize(kMostMessages);

@@ -6,8 +6,8 @@
 
 namespace hal::files::config {
 
-/// Every mistake in a set of files, in the order of their positions. what(): one per line. Control
-/// characters of the files are written as \x1b, what is very long is shortened.
+/// All mistakes in a set of files, in the order of their positions. what(): one per line. Control
+/// characters of the files are written as \x1b, and very long texts are shortened.
 class ConfigErrors : public std::runtime_error {
  public:
   explicit ConfigErrors(std::vector<std::string> messages);

@@ -8,7 +8,7 @@
 namespace hal::files::config {
 namespace {
 
-/// Whether a scalar means the same without quotation marks, also inside a list.
+/// Whether a scalar keeps its meaning without quotation marks, also inside a list.
 bool is_plain(std::string_view text) {
   constexpr std::string_view kInside = "_./+-^()%", kFirst = "_./+-";
   const auto is_word = [](char c) {
@@ -23,7 +23,7 @@ bool is_plain(std::string_view text) {
   return std::ranges::all_of(text, may_stand);
 }
 
-/// In double quotation marks (YAML 1.2, 5.7).
+/// The text in double quotation marks (YAML 1.2, 5.7).
 std::string in_quotes(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {

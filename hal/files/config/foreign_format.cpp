@@ -15,8 +15,8 @@ std::string_view without_space(std::string_view text) {
   return begin == std::string_view::npos ? std::string_view{} : text.substr(begin);
 }
 
-/// The name of the first element: what comes before it are declarations, `<?…?>`, and comments,
-/// `<!--…-->` (Extensible Markup Language 1.0, 5th edition, 2.8).
+/// The name of the first element, after declarations, `<?…?>`, and comments, `<!--…-->` (Extensible
+/// Markup Language 1.0, 5th edition, 2.8).
 std::string_view first_element(std::string_view text) {
   for (text = without_space(text); text.starts_with("<?") || text.starts_with("<!");
        text = without_space(text)) {

@@ -6,11 +6,13 @@
 
 namespace hal::files::config {
 
-/// What a file is whose text is no YAML of BARAKA, and what reads it: URDF, SDF, other XML, a
-/// database of SQLite, binary data. Nothing if it may be YAML. Looks at the text, not at its name.
+/// What a file is if its text is not YAML of BARAKA, and which command reads it: URDF, SDF, other
+/// XML, an SQLite database, binary data. nullopt if it may be YAML. Judges by the text, not by the
+/// name.
 std::optional<std::string> foreign_format(std::string_view text);
 
-/// The same for a folder: whether it holds results, and what reads those. "is a directory, …".
+/// The same for a folder: whether it contains results, and which command reads them. "is a
+/// directory, …".
 std::string folder_instead_of_file(const std::string& folder);
 
 }  // namespace hal::files::config

@@ -7,28 +7,28 @@
 
 namespace hal::files::config {
 
-/// A key counts only with these values of another one, or only with or without another one.
+/// A key is used only with these values of another key, or only with or without another key.
 struct Condition {
-  std::string path;  ///< Of the other key.
+  std::string path;  ///< Path of the other key.
   bool presence = false;
-  std::vector<std::string> values;  ///< Of a choice; "there" or "absent" of a presence.
+  std::vector<std::string> values;  ///< Of a choice; "there" or "absent" for a presence.
 };
 
 /// One key of a kind of file.
 struct KeyDescription {
-  /// Default and limits, where the value of another key (`with`) decides them.
+  /// Default and limits, if they depend on the value `with` of another key.
   struct Variant {
     std::string with;       ///< "ieee80211b"; empty: always.
-    std::string otherwise;  ///< What counts when the key is absent; empty: it must be given.
+    std::string otherwise;  ///< What applies when the key is absent; empty: the key is required.
     std::string limits;
   };
 
-  std::string path;  ///< Dotted; "[]" behind the name of a list; NAME for a name of one's own.
+  std::string path;  ///< Dotted; "[]" after the name of a list; NAME for a name chosen by the user.
   std::string meaning, example;
   Form form;
-  bool optional = false;              ///< Absent, it is nothing.
+  bool optional = false;              ///< If absent, the feature is not used.
   std::vector<Variant> variants;      ///< At least one.
-  std::vector<Condition> conditions;  ///< Those that its mapping does not have anyway.
+  std::vector<Condition> conditions;  ///< In addition to those of its mapping.
 };
 
 }  // namespace hal::files::config

@@ -14,7 +14,7 @@ using Kind = Node::Kind;
 
 constexpr const char* kNotThere = "remove[]";
 
-/// What an item is called: its `name`, failing that its `kind`; of a scalar its text.
+/// The name of an item: its `name`, otherwise its `kind`; for a scalar its text.
 std::string name_of(const Node& item) {
   if (item.kind == Kind::kScalar) return item.text;
   for (const char* const key : {"name", "kind"}) {

@@ -6,23 +6,24 @@
 
 namespace hal::files::config {
 
-/// What changes a list instead of replacing it: `{add: [items …], remove: [names …]}`. `remove`
-/// comes first, so that an item may be replaced by one of its name.
+/// A change of a list instead of its replacement: `{add: [items …], remove: [names …]}`. `remove`
+/// is applied first, so that an item may be replaced by one with the same name.
 
-/// Whether a node is such a change: a mapping with `add` or `remove` and nothing else.
+/// Whether a node is such a change: a mapping with only `add` or `remove` as keys.
 bool is_list_edit(const Node& node);
 
-/// The list after the change. What cannot be done stays with it as entries "add", "remove" or, for
-/// a name that is not there, "remove[]" with what is wrong as its text, for list_mistake() to say.
+/// The list after the change. Parts that cannot be applied are kept in the list as entries "add",
+/// "remove" or, for a name that is not in the list, "remove[]" with the problem as text;
+/// list_mistake() describes them.
 Node edited(Node list, Node edit);
 
-/// Whether two such changes can become one: all that they say is lists.
+/// Whether two such changes can be combined: all their values are lists.
 bool are_united(const Node& below, const Node& own);
 
-/// One change that does what both do, `below` first.
+/// One change with the effect of both, `below` first.
 Node united(Node below, Node own);
 
-/// Why an entry that stayed with a list is refused.
+/// Why an entry that was kept in a list is refused.
 std::string list_mistake(const Node& list, const Entry& entry);
 
 }  // namespace hal::files::config

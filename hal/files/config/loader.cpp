@@ -34,7 +34,7 @@ std::vector<std::string> names(const std::vector<std::string>& files) {
   return result;
 }
 
-/// Why a file is not read; nothing if it may be. @param absent  in words.
+/// Why a file cannot be read; nullopt if it can. @param absent  message if it does not exist.
 std::optional<std::string> obstacle(const fs::path& file, std::string absent) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -50,7 +50,7 @@ std::optional<std::string> obstacle(const fs::path& file, std::string absent) {
   return fmt::format("has {} bytes; at most {} are read", bytes, kMostBytes);
 }
 
-/// The file's text, or why there is none.
+/// The file's text, or why it cannot be read.
 Result<std::string> content(const fs::path& file) {
   if (auto why = obstacle(file, "there is no such file" + similar_file(file))) {
     return fail(Errc::kInvalidArgument, std::move(*why));
@@ -65,7 +65,7 @@ Result<std::string> content(const fs::path& file) {
   return text;
 }
 
-/// The folder that holds a file, whatever links lead there.
+/// The folder that contains a file, after symbolic links.
 fs::path real_folder(const fs::path& file) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
@@ -183,7 +183,7 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
   }
   const bool by_file = target.place.layer == Layer::kFile;
   included_.push_back({file.string(), path, target.place.text()});
-  problems_.note_include(files_, target.place);  // the order that load() gives it
+  problems_.note_include(files_, target.place);  // the order that load() will assign
   Node below = load(file, by_file ? Layer::kFile : Layer::kCommandLineInclude, path);
   mapping = merged(std::move(below), std::move(mapping));
 }

@@ -12,11 +12,12 @@
 
 namespace hal::files::config {
 
-/// Which file includes which, to find circles.
+/// Records which file includes which, to detect circles.
 class IncludeGraph {
  public:
-  /// Notes that `from` includes `to`. @return the files from `to` back to `to` if that closes a
-  /// circle, which is then not noted; else empty.
+  /// Records that `from` includes `to`.
+  /// @return if that closes a circle, the files from `to` back to `to`, and it is not recorded;
+  ///   otherwise empty.
   std::vector<std::string> add(const std::string& from, const std::string& to) {
     std::vector<std::string> circle = way(to, from);
     if (circle.empty()) {
@@ -47,28 +48,30 @@ class IncludeGraph {
 /// A file that another one, or the command line, includes.
 struct Included {
   std::string file;
-  std::string path;   ///< Of the mapping that it is put into, "agents.robots.robot"; "": the top.
-  std::string place;  ///< Of the word after `include`: "file:line:column", or "--set a.b".
+  /// Of the mapping into which it is included, "agents.robots.robot"; "": the top level.
+  std::string path;
+  std::string place;  ///< Of the value of `include`: "file:line:column", or "--set a.b".
 };
 
-/// Reads files and puts what they include in place.
+/// Reads files and replaces `include` keys by the contents of the files.
 class Loader {
  public:
-  /// @param first  the file whose folder counts for includes of the command line.
+  /// @param first  includes on the command line are relative to its folder.
   Loader(const std::filesystem::path& first, Problems& problems);
 
-  /// False as soon as a file could not be read: the keys in it would all seem to be missing.
+  /// False if a file could not be read: all of its keys would seem to be missing.
   bool complete() const { return complete_; }
 
-  /// What has been included, in the order of reading.
+  /// The included files, in the order of reading.
   const std::vector<Included>& included() const { return included_; }
 
-  /// The file's mapping, includes not yet resolved. @param path  where it goes, for messages.
+  /// The file's mapping, with includes not yet resolved.
+  /// @param path  its destination, for messages.
   Node load(const std::filesystem::path& file, Layer layer, const std::string& path);
 
-  /// Replaces each `include` in and under the node, outermost first: what an outer mapping says
-  /// about an inner one's `include` counts.
-  /// @param depth  mappings and lists around the node.
+  /// Replaces each `include` in and below the node, outermost first, so that an outer mapping can
+  /// change an inner one's `include`.
+  /// @param depth  number of mappings and lists around the node.
   void resolve(Node& node, const std::string& path, int depth = 0);
 
  private:

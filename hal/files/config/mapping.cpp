@@ -270,7 +270,7 @@ std::vector<Mapping> Mapping::inner_list(const std::string& key) {
   const Node& list = entry->value;
   if (list.kind == Kind::kList) {
     for (const Node& item : list.items) result.push_back(inner(item, path_of(key)));
-  } else if (is_list_edit(list)) {  // of a list that no included file has
+  } else if (is_list_edit(list)) {  // no included file has the list
     const Entry* const added = list.find("add");
     if (added != nullptr && added->value.kind == Kind::kList) {
       for (const Node& item : added->value.items) result.push_back(inner(item, path_of(key)));
@@ -380,7 +380,7 @@ void Mapping::warn(const std::string& key, std::string what) {
 }
 
 void Mapping::refuse(const std::string& key, const std::string& why) {
-  known_.insert(key);  // but not into the order
+  known_.insert(key);  // but not listed in order_
   const Entry* entry = node_->find(key);
   if (entry != nullptr) problems_->add(entry->place, path_of(key), why);
 }

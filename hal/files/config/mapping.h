@@ -22,39 +22,39 @@ struct Entry;
 struct Place;
 class Problems;
 
-/// Longest time a file may name, s: some 31 years, well within Duration.
+/// Longest time that a file may state, s: about 31 years, well within Duration.
 inline constexpr double kLongestDuration = 1e9;
 
-/// A scalar as it stands in the file.
+/// A scalar as written in the file.
 struct Scalar {
   std::string key;  ///< Empty in a list.
   std::string text;
   std::string place;  ///< "file:line:column".
 };
 
-/// The value of a key in a mapping whose keys are names: one scalar, or a list of them. The keys of
-/// mappings inside are joined with dots: "temperature.size".
+/// The value of a key in a mapping whose keys are names: one scalar, or a list of scalars. Keys of
+/// inner mappings are joined with dots: "temperature.size".
 struct PlainValue {
   std::string key;
-  std::string text;   ///< Of a scalar.
+  std::string text;   ///< If it is a scalar.
   std::string place;  ///< "file:line:column".
   bool is_list = false;
-  std::vector<std::string> items{};  ///< Of a list.
+  std::vector<std::string> items{};  ///< If it is a list.
 };
 
-/// A value of any kind, for somebody else to read.
+/// A value of any kind, to be read elsewhere.
 struct WrittenValue {
-  std::string text;   ///< For people: a single value as it stands, others as `yaml`.
-  std::string yaml;   ///< On one line, as it may stand behind the `=` of an override.
+  std::string text;   ///< For messages: a scalar as written, other values as `yaml`.
+  std::string yaml;   ///< On one line, as it may follow the `=` of an override.
   std::string place;  ///< "file:line:column".
 };
 
-/// The value of a key in a mapping whose keys are names, whatever it is.
+/// The value of a key in a mapping whose keys are names, of any kind.
 struct WrittenEntry {
   std::string key;
   WrittenValue value;
   bool is_list = false;
-  std::vector<WrittenValue> items{};  ///< Of a list.
+  std::vector<WrittenValue> items{};  ///< If it is a list.
 };
 
 /// One name of an enumeration.
@@ -64,12 +64,12 @@ struct Option {
   E value;
 };
 
-/// One mapping of a document, read key by key. Every call notes its key as known; a mistake is
-/// noted with its place and the call returns something harmless, so that reading goes on and all
-/// mistakes are found. A call without `otherwise` requires the key; one with it returns that for a
-/// wrong value, so that a mistake does not make others that are none.
+/// One mapping of a document, read key by key. Every call marks its key as known. A mistake is
+/// recorded with its place, and the call returns a harmless value, so that reading continues and
+/// finds all mistakes. A call without `otherwise` requires the key; a call with it returns
+/// `otherwise` also for a wrong value, so that one mistake does not cause others.
 ///
-/// Each reading call takes a Key, for the message where it is missing.
+/// Each reading call takes a Key, which describes the key in the message if it is missing.
 class Mapping {
  public:
   Mapping(const Node& node, std::string path, Problems& problems);
@@ -78,14 +78,14 @@ class Mapping {
   double number(const Key& key, std::string_view unit, Range range);
   double number(const Key& key, std::string_view unit, Range range, double otherwise);
 
-  /// A whole plain number.
+  /// An integer without a unit.
   std::int64_t integer(const Key& key, std::int64_t low, std::int64_t high);
   std::int64_t integer(const Key& key, std::int64_t low, std::int64_t high, std::int64_t otherwise);
 
   /// A time, to the nanosecond; limits in seconds.
   Duration duration(const Key& key, Range seconds);
   Duration duration(const Key& key, Range seconds, Duration otherwise);
-  /// The same without an upper limit: "none" and "never" give nothing.
+  /// The same without an upper limit: "none" and "never" give nullopt.
   std::optional<Duration> optional_duration(const Key& key, double low,
                                             std::optional<Duration> otherwise);
 
@@ -104,7 +104,7 @@ class Mapping {
   /// A list of texts; absent: empty.
   std::vector<Scalar> texts(const Key& key);
 
-  /// One of several names; nothing if it is missing or none of them.
+  /// One of several names; nullopt if the key is missing or has another value.
   template <class E, std::size_t kSize>
   std::optional<E> choice(const Key& key, const std::array<Option<E>, kSize>& options) {
     const auto index = chosen(key, names(options), std::nullopt);
@@ -113,35 +113,35 @@ class Mapping {
   template <class E, std::size_t kSize>
   E choice(const Key& key, const std::array<Option<E>, kSize>& options, E otherwise) {
     const auto other = std::ranges::find(options, otherwise, &Option<E>::value);
-    BARAKA_CHECK(other != options.end());  // files cannot say what they get when they say nothing
+    BARAKA_CHECK(other != options.end());  // a file must be able to state the default
     const auto index =
         chosen(key, names(options), static_cast<std::size_t>(other - options.begin()));
     return index ? options[*index].value : otherwise;
   }
 
-  /// The number of one of several names.
+  /// The index of one of several names.
   std::size_t choice(const Key& key, std::vector<std::string> names, std::size_t otherwise) {
     return chosen(key, std::move(names), otherwise).value_or(otherwise);
   }
-  /// Nothing if it is missing or none of them.
+  /// nullopt if the key is missing or has another value.
   std::optional<std::size_t> choice(const Key& key, std::vector<std::string> names) {
     return chosen(key, std::move(names), std::nullopt);
   }
 
-  /// A mapping inside; absent: an empty one, all of whose required keys are missing.
+  /// An inner mapping; absent: an empty one, all of whose required keys are missing.
   Mapping mapping(const Key& key);
   /// A list of mappings; absent: empty.
   std::vector<Mapping> mappings(const Key& key);
 
-  /// The same of keys that were read before.
+  /// The same for keys that were read before.
   Mapping within(const std::string& key);
   std::vector<Mapping> items(const std::string& key);
 
-  /// Whether the key is there. It counts as known from now on.
+  /// Whether the key is present. It counts as known from now on.
   bool has(const std::string& key);
 
-  /// Whether the key is there and its value is a single one, not a mapping or a list: of keys that
-  /// may have either.
+  /// Whether the key is present with a scalar, not a mapping or a list; for keys that may have
+  /// either.
   bool has_scalar(const std::string& key);
 
   /// All keys in order, for mappings whose keys are names.
@@ -151,27 +151,27 @@ class Mapping {
   /// The same, where values may also be mappings of such values.
   std::vector<PlainValue> nested_values();
 
-  /// The same with values of any kind.
+  /// The same for values of any kind.
   std::vector<WrittenEntry> written_values();
 
-  /// "file:line:column" of a key's value, or of the mapping if the key is not there.
+  /// "file:line:column" of a key's value, or of the mapping if the key is absent.
   std::string place(const std::string& key) const;
   std::string place() const;
   /// Dotted path of the mapping: "agents.motes"; empty for the top level.
   const std::string& path() const { return path_; }
 
-  /// Notes a mistake of a key's value; at the mapping's place if the key is not there.
+  /// Records a mistake in a key's value; at the mapping's place if the key is absent.
   void mistake(const std::string& key, std::string what);
-  /// Notes what is allowed and hardly meant. It is told, and nothing is refused.
+  /// Records something permitted but probably unintended. It is reported, but nothing is refused.
   void warn(const std::string& key, std::string what);
-  /// Notes that nobody reads `key` here, saying why, if it is there.
+  /// Records that `key` is not used here, and why, if it is present.
   void refuse(const std::string& key, const std::string& why);
 
-  /// Of the keys that nobody has asked for nothing is to be said, after a mistake.
+  /// After a mistake: finish() does not report unread keys.
   void leave_rest() { leaves_rest_ = true; }
   bool leaves_rest() const { return leaves_rest_; }
 
-  /// Notes every key that nobody asked for.
+  /// Records every key that was not read.
   void finish();
 
  private:
@@ -203,10 +203,11 @@ class Mapping {
   std::string path_;
   Problems* problems_;
   std::set<std::string> known_;
-  std::vector<std::string>
-      order_;  ///< Of reading: the known keys but those that mean nothing here.
+  /// Known keys in the order of reading, without refused ones.
+  std::vector<std::string> order_;
   bool leaves_rest_ = false;
-  bool broken_ = false;  ///< Stands in for something else, which was noted: nothing is missing.
+  /// Replaces a value whose mistake was recorded: missing keys are not reported.
+  bool broken_ = false;
 };
 
 }  // namespace hal::files::config

@@ -17,7 +17,7 @@ bool is_mapping(const Node& node) { return node.kind == Node::Kind::kMapping; }
 
 Node decided(Node below, Node own);
 
-/// The item of a list that a key of the command line names: "0", "1", …
+/// Index of the list item that a key of the command line denotes: "0", "1", …
 std::optional<std::size_t> index_of(const std::string& key, std::size_t items) {
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
@@ -25,8 +25,8 @@ std::optional<std::size_t> index_of(const std::string& key, std::size_t items) {
   return is_number && index < items ? std::optional(index) : std::nullopt;
 }
 
-/// A list of which the command line sets items, or something in them. What is no item stays with
-/// the list as an entry, for the Loader to refuse.
+/// A list in which the command line sets items, or values inside them. Keys that denote no item are
+/// kept in the list as entries, for the Loader to refuse.
 Node with_items_set(Node list, Node own) {
   Node edit;
   for (Entry& entry : own.entries) {
@@ -88,7 +88,7 @@ std::string kind_name(const Node& node) {
 }
 
 Node merged(Node below, Node own) {
-  // A mapping that the command line only reaches into still stands where the file has it.
+  // A mapping of which the command line changes only inner values keeps its place in the file.
   if (own.place.layer == Layer::kFile) below.place = own.place;
   for (Entry& entry : own.entries) {
     Entry* lower = below.find(entry.key);

@@ -8,16 +8,16 @@
 
 namespace hal::files::config {
 
-/// Whose word counts when two places set the same key: the higher one's.
+/// Precedence when two places set the same key: the higher layer's value counts.
 enum class Layer : std::uint8_t {
   kFile,                ///< Written in a file.
   kCommandLineInclude,  ///< In a file that the command line includes.
   kCommandLine,         ///< Written on the command line.
 };
 
-/// Where something stands.
+/// Position of a value.
 struct Place {
-  int order = 0;     ///< Of its file among those read; the command line comes first.
+  int order = 0;     ///< Of its file in the order of reading; the command line is first.
   std::string file;  ///< As the user would name it; "--set a.b" for the command line.
   int line = 0;      ///< 1, 2, …; 0: the command line, which has no lines.
   int column = 0;
@@ -29,16 +29,17 @@ struct Place {
 
 struct Entry;
 
-/// One value of a document, with its place. Scalars stay text until somebody asks for a kind.
+/// One value of a document, with its place. Scalars remain text until they are read as some kind.
 struct Node {
   enum class Kind : std::uint8_t { kNull, kScalar, kList, kMapping };
   Kind kind = Kind::kNull;
   Place place;
-  std::string text;            ///< kScalar.
-  bool quoted = false;         ///< kScalar in quotation marks.
-  bool whole = false;          ///< A mapping that replaces what lies below instead of adding to it.
-  std::vector<Node> items;     ///< kList.
-  std::vector<Entry> entries;  ///< kMapping, in order of the file. kList: changes to no item of it.
+  std::string text;     ///< kScalar.
+  bool quoted = false;  ///< kScalar in quotation marks.
+  bool whole = false;   ///< A mapping that replaces the one below instead of being united with it.
+  std::vector<Node> items;  ///< kList.
+  /// kMapping, in the file's order. kList: changes that match no item.
+  std::vector<Entry> entries;
 
   const Entry* find(const std::string& key) const;
   Entry* find(const std::string& key);
@@ -53,10 +54,10 @@ struct Entry {
 /// "a mapping", "a list of 2", "'text'", "nothing".
 std::string kind_name(const Node& node);
 
-/// The union of two mappings, key by key and level by level. Where both set a value, the higher
-/// layer's counts and, within one layer, `own`. Keys of `below` come first. Of a list, the command
-/// line can set items by their number, from 0; `own` can change one by {add: […], remove: […]}
-/// (list_edit.h).
+/// The union of two mappings, key by key and level by level. If both set a value, that of the
+/// higher layer counts; within one layer, that of `own`. Keys of `below` come first. The command
+/// line can set items of a list by their index, from 0; `own` can change a list by {add: […],
+/// remove: […]} (list_edit.h).
 Node merged(Node below, Node own);
 
 }  // namespace hal::files::config

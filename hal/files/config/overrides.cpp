@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBeforeAllFiles = -1;
 
-/// An empty part among them makes the path invalid.
+/// The parts of a dotted path; nullopt if one is empty.
 std::optional<std::vector<std::string>> parts_of(const std::string& path) {
   std::vector<std::string> parts(1);
   for (const char c : path) {
@@ -29,7 +29,7 @@ std::optional<std::vector<std::string>> parts_of(const std::string& path) {
   return parts;
 }
 
-/// The value under mappings for each part of its path.
+/// The value inside nested mappings, one for each part of its path.
 Node nested(const std::vector<std::string>& parts, Node value) {
   const Place place = value.place;
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {

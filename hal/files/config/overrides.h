@@ -8,8 +8,8 @@
 
 namespace hal::files::config {
 
-/// The overrides "dotted.path=value" of a command line as one mapping, later ones over earlier
-/// ones. What cannot be read is noted and left out.
+/// The overrides "dotted.path=value" of a command line as one mapping; later ones take precedence.
+/// An override that cannot be read is recorded as a problem and omitted.
 Node read_overrides(const std::vector<std::string>& overrides, Problems& problems);
 
 }  // namespace hal::files::config

@@ -16,7 +16,7 @@ auto position(const Problem& problem) {
   return std::tie(place.order, place.file, place.line, place.column, problem.key, problem.what);
 }
 
-/// "--set a.0.b" without the numbers of items, which keys of problems do not have.
+/// "--set a.0.b" without item indices, which keys of problems do not contain.
 std::string without_numbers(const std::string& place) {
   std::string text;
   std::size_t begin = 0;
@@ -53,7 +53,7 @@ std::vector<std::string> Problems::lines(std::vector<Problem> problems,
   std::ranges::stable_sort(problems, std::less<>{}, position);
   std::vector<std::string> lines;
   lines.reserve(problems.size());
-  std::set<std::string> said;  // a file that several agents include is read once for each of them
+  std::set<std::string> said;  // a file that several agents include is read several times
   for (const Problem& problem : problems) {
     std::string text = line(problem, mark) + includers(problem.place);
     if (said.insert(text).second) lines.push_back(std::move(text));
@@ -61,7 +61,7 @@ std::vector<std::string> Problems::lines(std::vector<Problem> problems,
   return lines;
 }
 
-/// " (included by a.yaml:5:10, that by b.yaml:2:3)"; empty for what stands in the first file.
+/// " (included by a.yaml:5:10, that by b.yaml:2:3)"; empty for the first file.
 std::string Problems::includers(const Place& place) const {
   std::string text;
   for (auto by = included_by_.find(place.order); by != included_by_.end();

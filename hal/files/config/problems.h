@@ -20,10 +20,10 @@ class Problems {
   }
   void add(std::vector<Problem> problems, const std::string& path);
 
-  /// Where the file of this order (Place) is included: messages about what stands in it say so.
+  /// Records where the file of this order (Place) is included, for messages about its contents.
   void note_include(int order, const Place& by) { included_by_.insert_or_assign(order, by); }
 
-  /// Notes what is allowed and hardly meant: no mistake.
+  /// Records something permitted but probably unintended; not a mistake.
   void warn(const Place& place, std::string key, std::string what) {
     warnings_.push_back({place, std::move(key), std::move(what)});
   }
@@ -31,11 +31,11 @@ class Problems {
   bool none() const { return found_.empty(); }
 
   /// One line each, sorted by position: "file:line:column: key: what (included by
-  /// file:line:column)"; the same of warnings, "file:line:column: warning: …".
+  /// file:line:column)"; warnings likewise as "file:line:column: warning: …".
   std::vector<std::string> messages() const;
   std::vector<std::string> warnings() const;
 
-  /// A mapping without entries that lives as long as the problems do.
+  /// An empty mapping that lives as long as this object.
   const Node& empty_mapping(const Place& place);
 
  private:
@@ -48,7 +48,7 @@ class Problems {
   std::deque<Node> empty_;
 };
 
-/// "path.key", or just the one that is not empty.
+/// "path.key", or the non-empty one of the two.
 std::string joined(const std::string& path, const std::string& key);
 
 }  // namespace hal::files::config

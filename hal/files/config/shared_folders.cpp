@@ -45,7 +45,7 @@ std::string listed_shared_folders() {
 
 namespace {
 
-/// Files of a folder, sorted; none if it cannot be read.
+/// Names of the files in a folder, sorted; empty if it cannot be read.
 std::vector<std::string> files_in(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -58,7 +58,7 @@ std::vector<std::string> files_in(const fs::path& folder) {
   return names;
 }
 
-/// "; did you mean 'walk.yaml'?", by the names without their extensions.
+/// "; did you mean 'walk.yaml'?", comparing names without their extensions.
 std::string similar_in(const fs::path& folder, const fs::path& file) {
   const std::vector<std::string> files = files_in(folder);
   std::vector<std::string> stems;
@@ -68,8 +68,8 @@ std::string similar_in(const fs::path& folder, const fs::path& file) {
   return best ? fmt::format("; did you mean '{}'?", files[*best]) : "";
 }
 
-/// "; did you mean 'robots/mote.yaml'?" for the file of this very name, with or without its
-/// extension, in a folder below one of the shared ones.
+/// "; did you mean 'robots/mote.yaml'?" for a file with exactly this name, with or without its
+/// extension, in a subfolder of a shared folder.
 std::string same_name_below_shared(const fs::path& file) {
   const std::string name = file.stem().string() + ".yaml";
   for (const fs::path& shared : shared_folders()) {
@@ -87,7 +87,7 @@ std::string same_name_below_shared(const fs::path& file) {
   return "";
 }
 
-/// In the shared folders, or in one of their folders `kinds`.
+/// Searches the shared folders and their subfolders `kinds`.
 std::optional<fs::path> find_of_kinds(const fs::path& file, const std::vector<std::string>& kinds) {
   if (auto found = find_shared(file)) return found;
   for (const std::string& kind : kinds) {
@@ -110,7 +110,7 @@ std::string similar_file(const fs::path& file, const fs::path& relative) {
 
 namespace {
 
-/// As find_of_kinds() looks.
+/// Suggests a file from the places that find_of_kinds() searches.
 std::string similar_of_kinds(const fs::path& given, const std::vector<std::string>& kinds) {
   std::string said = similar_file(given, given);
   for (const std::string& kind : kinds) {

@@ -9,12 +9,12 @@
 namespace hal::files::config {
 namespace {
 
-/// Number of letters to insert, delete, replace or swap with the next one, no letter being edited
+/// Number of letters to insert, delete, replace or swap with the next one, with no letter edited
 /// twice (optimal string alignment: F. J. Damerau, "A technique for computer detection and
 /// correction of spelling errors", 1964, by the table of R. A. Wagner and M. J. Fischer, "The
 /// String-to-String Correction Problem", 1974).
 std::size_t distance(std::string_view a, std::string_view b) {
-  // Rows i - 1, i and i + 1 of the table: entry j is the distance of the first letters, j of b.
+  // Rows i - 1, i and i + 1 of the table: entry j is the distance to the first j letters of b.
   std::vector<std::size_t> earlier(b.size() + 1), before(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {

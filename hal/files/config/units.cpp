@@ -75,7 +75,7 @@ const Unit* find_unit(std::string_view name) {
 }
 
 const Unit& base_unit_of(const Unit& unit) {
-  // Each dimension is listed from its SI unit on.
+  // Each dimension is listed with its SI unit first.
   return *std::find_if(kUnits.begin(), kUnits.end(),
                        [&](const Unit& other) { return other.dimension == unit.dimension; });
 }

@@ -4,7 +4,7 @@
 
 namespace hal::files::config {
 
-/// What is measured. Values convert within one dimension only.
+/// Physical dimension. Values convert within one dimension only.
 enum class Dimension {
   kNumber,
   kTime,
@@ -27,8 +27,8 @@ enum class Dimension {
   kBitRate,
 };
 
-/// One unit: value in the dimension's SI unit = number * up / down. Two exact factors instead of
-/// one inexact keep "10 ms" at the double nearest to 0.01.
+/// A unit: value in the dimension's SI unit = number * up / down. Two exact factors instead of one
+/// inexact factor give "10 ms" as the double nearest to 0.01.
 struct Unit {
   std::string_view name;
   Dimension dimension = Dimension::kNumber;
@@ -37,7 +37,7 @@ struct Unit {
   bool level = false;  ///< dBm: value = 1 mW * 10^(number / 10).
 };
 
-/// The unit of that name; null if there is none.
+/// The unit with this name; null if there is none.
 const Unit* find_unit(std::string_view name);
 
 /// The SI unit of the same dimension.

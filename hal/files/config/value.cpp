@@ -34,8 +34,8 @@ struct Parts {
   std::string_view unit;
 };
 
-/// std::from_chars would also take "nan", "inf" and hexadecimal digits: a number starts with a
-/// decimal digit.
+/// A number starts with a decimal digit: std::from_chars would also accept "nan", "inf" and
+/// hexadecimal digits.
 std::optional<Parts> split(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
@@ -57,7 +57,7 @@ Result<double> in_unit(std::string_view text, const Parts& parts, const Unit& wa
   }
   const Unit* given = find_unit(parts.unit);
   if (given == nullptr || given->dimension != wanted.dimension) {
-    // People think of angles in degrees.
+    // Users usually state angles in degrees.
     const bool angle = wanted.dimension == Dimension::kAngle;
     return wrong(fmt::format("'{}' must be written in {}{}, e.g. '{} {}'", text, wanted.name,
                              angle ? " or deg" : "", parts.number, angle ? "deg" : wanted.name));

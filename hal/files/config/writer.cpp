@@ -12,7 +12,7 @@
 namespace hal::files::config {
 namespace {
 
-/// Characters that mean nothing to YAML wherever they stand in a plain scalar.
+/// Characters without special meaning anywhere in a plain scalar of YAML.
 bool is_plain(char c) {
   const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
   return letter || (c >= '0' && c <= '9') || c == '_' || c == '/' || c == '.';
@@ -25,7 +25,7 @@ bool may_stay_plain(std::string_view text) {
                      [](char c) { return is_plain(c) || c == ' ' || c == '-' || c == '^'; });
 }
 
-/// Plain where YAML reads it back unchanged, else in double quotes.
+/// Plain if YAML reads it back unchanged, otherwise in double quotes.
 std::string scalar(std::string_view text) {
   if (may_stay_plain(text)) return std::string(text);
   std::string quoted = "\"";
@@ -60,7 +60,7 @@ std::string format_duration(Duration value) {
 }
 
 std::string Writer::indent() {
-  // A list's items stand one level below its key, their keys one further.
+  // Items of a list are indented one level below its key, and their keys one level more.
   const std::size_t depth = open_.size() - (starts_item_ ? 1 : 0);
   std::string spaces(2 * depth, ' ');
   if (std::exchange(starts_item_, false)) spaces += "- ";
@@ -125,7 +125,7 @@ void Writer::open_item() {
 
 void Writer::close() {
   BARAKA_CHECK(!open_.empty());
-  BARAKA_CHECK(!starts_item_);  // An item without keys would not be written at all.
+  BARAKA_CHECK(!starts_item_);  // An item without keys would not be written.
   const Level level = open_.back();
   open_.pop_back();
   if (std::exchange(empty_, false) && level.kind != Kind::kItem) {

@@ -9,7 +9,7 @@
 
 namespace hal::files::config {
 
-/// Writes YAML that Document::load() reads back to the same values: doubles in their shortest form
+/// Writes YAML that Document::load() reads back to the same values: doubles in the shortest form
 /// that parses to the same bits, times in whole units.
 ///
 ///   Writer out;
@@ -33,15 +33,15 @@ class Writer {
   void numbers(std::string_view key, const std::vector<double>& values, std::string_view unit);
   void texts(std::string_view key, const std::vector<std::string>& values);
 
-  void open(std::string_view key);       ///< A mapping.
-  void open_list(std::string_view key);  ///< A list of mappings.
-  void open_item();                      ///< A mapping in a list.
-  void close();                          ///< What was opened last.
+  void open(std::string_view key);       ///< Begins a mapping.
+  void open_list(std::string_view key);  ///< Begins a list of mappings.
+  void open_item();                      ///< Begins a mapping in a list.
+  void close();                          ///< Ends what was opened last.
 
   /// @pre everything is closed.
   std::string take();
 
-  /// Every value written so far by its dotted path, items of lists by their number from 0:
+  /// Every value written so far by its dotted path, with list items by index from 0:
   /// "radio.range" and "250 m", "walls.0.name" and "w0".
   const std::vector<std::pair<std::string, std::string>>& values() const { return values_; }
 
@@ -50,7 +50,7 @@ class Writer {
   struct Level {
     Kind kind;
     std::string path;  ///< Ends in a dot.
-    int items = 0;     ///< Of a list, so far.
+    int items = 0;     ///< Number so far, in a list.
   };
 
   void line(std::string_view key, std::string_view value);
@@ -61,8 +61,8 @@ class Writer {
   std::string out_;
   std::vector<std::pair<std::string, std::string>> values_;
   std::vector<Level> open_;
-  bool empty_ = true;         ///< Nothing was written into what was opened last.
-  bool starts_item_ = false;  ///< The next line carries the item's dash.
+  bool empty_ = true;         ///< Nothing was written since the last open.
+  bool starts_item_ = false;  ///< The next line begins with the item's dash.
 };
 
 /// "10 ms": the largest of s, ms, us, ns that gives a whole number.

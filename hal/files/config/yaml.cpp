@@ -14,7 +14,7 @@
 namespace hal::files::config {
 namespace {
 
-/// There are more values than may be read.
+/// Thrown if there are more values than permitted.
 struct TooManyValues {
   Place place;
 };
@@ -61,12 +61,12 @@ class Builder final : public YAML::EventHandler {
   void OnMapEnd() override { close(); }
 
  private:
-  /// A list or mapping whose end has not come yet.
+  /// A list or mapping that has not ended yet.
   struct Open {
     Node node;
-    std::string key;  ///< Of the value to come …
+    std::string key;  ///< Key of the next value …
     Place key_place;
-    bool has_key;  ///< … if this is set.
+    bool has_key;  ///< … if this is true.
   };
 
   Place place(const YAML::Mark& mark) const {
@@ -106,7 +106,7 @@ class Builder final : public YAML::EventHandler {
     if (parent.node.kind == Node::Kind::kList) {
       parent.node.items.push_back(std::move(value));
     } else if (parent.has_key) {
-      // Nothing has no position of its own: the parser only notices it at the next key.
+      // An empty value has no position of its own: the parser notices it only at the next key.
       if (value.kind == Node::Kind::kNull) value.place = parent.key_place;
       parent.node.entries.push_back({parent.key, parent.key_place, std::move(value)});
       parent.has_key = false;
@@ -132,7 +132,7 @@ class Builder final : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-/// Which YAML does not allow (YAML 1.2.2, 6.1).
+/// Whether a line is indented by a tab, which YAML does not allow (YAML 1.2.2, 6.1).
 /// @param line  from 0.
 bool is_indented_by_tab(const std::string& text, int line) {
   std::istringstream lines(text);

@@ -5,8 +5,8 @@
 
 namespace hal::files::description {
 
-/// What AntHocNet has in place of the defaults of RoutingConfig: a jitter that is small against the
-/// time a repair is waited for, and the retry of its authors' port.
+/// Defaults of AntHocNet that differ from RoutingConfig: a jitter that is small compared with the
+/// repair time-out, and the retry period of the port of its ETT version.
 inline void anthocnet_defaults(node::routing::RoutingConfig& c) {
   c.jitter_max = std::chrono::milliseconds{10};
   c.retry_period = std::chrono::seconds{2};
@@ -38,7 +38,7 @@ inline void ant_path_keys(Fields& io, node::routing::AntHocNetConfig& c) {
   io.duration({"hop_time", "What a hop costs in an idle network.", "3 ms"}, {1e-6, 10}, c.hop_time);
 }
 
-/// Keys of what goes on while a session runs.
+/// Keys of sessions: diffusion, proactive ants, repair.
 inline void ant_session_keys(Fields& io, node::routing::AntHocNetConfig& c) {
   io.count(
       {"hello_destinations",
@@ -67,7 +67,7 @@ inline void ant_session_keys(Fields& io, node::routing::AntHocNetConfig& c) {
             "1", {1e-3, 1e6}, c.repair_wait);
 }
 
-/// Keys of `algorithm: anthocnet` alone.
+/// All keys that only `algorithm: anthocnet` has.
 inline void anthocnet_keys(Fields& io, node::routing::AntHocNetConfig& c) {
   ant_path_keys(io, c);
   ant_session_keys(io, c);

@@ -5,12 +5,11 @@
 
 namespace hal::files::description {
 
-/// Longest wait of a rebroadcast unless the file says otherwise: well below NODE_TRAVERSAL_TIME.
-/// The RFC names none.
+/// Default maximum jitter of a rebroadcast: well below NODE_TRAVERSAL_TIME. The RFC states none.
 inline constexpr Duration kAodvJitter = std::chrono::milliseconds{10};
 
-/// Keys of `algorithm: aodv` by the names of RFC 3561, section 10; and those of what it leaves to
-/// the node.
+/// Keys of `algorithm: aodv` with the names of RFC 3561, section 10, and keys for the choices that
+/// the RFC leaves to the node.
 inline void aodv_keys(Fields& io, node::routing::AodvConfig& c) {
   io.duration(
       {"active_route_timeout", "A route that is not used for so long is no longer valid.", "3 s"},

@@ -63,7 +63,7 @@ void keys_of(Fields& io, BodyBox& c) {
             c.yaw);
 }
 
-using Shape = std::variant<std::monostate, BodyCylinder, BodyBox>;  ///< The first: a mistake.
+using Shape = std::variant<std::monostate, BodyCylinder, BodyBox>;  ///< monostate: a mistake.
 
 const std::array kShapes{alternative<Shape, BodyCylinder>({"cylinder", "An upright cylinder."}),
                          alternative<Shape, BodyBox>({"box", "A box."})};

@@ -9,9 +9,9 @@ namespace hal::files::description {
 
 /// A robot file, or `robot:` of a group of agents. Parts have the names of SDF and URDF: the `link`
 /// with its `collision` shapes and their `mass`, the wheels' `joints` with `axis` and `limit`.
-/// @param gravity  m/s^2 where it drives: it must not tip over there.
+/// @param gravity  m/s^2 in the scenario; a robot that would tip over there is a mistake.
 node::devices::RobotDescription read_robot(config::Mapping in, double gravity = kEarthGravity);
-/// Its keys alone: it may tip over.
+/// Only its keys, without the check that the robot does not tip over.
 void keys_of(Fields& io, node::devices::RobotDescription& robot);
 
 /// A mote file, or `mote:` of a group of agents.

@@ -71,11 +71,11 @@ void FieldReader::kind_field(const Key& key, std::vector<std::string> names,
   if (kind && presence == Presence::kOtherwise)
     return keys(*this, in_.choice(key, std::move(names), *kind));
   const std::optional<std::size_t> named = in_.choice(key, std::move(names));
-  if (!named) return in_.leave_rest();  // which of the other keys are right depends on it
+  if (!named) return in_.leave_rest();  // it decides which of the other keys are valid
   keys(*this, *named);
 }
 
-/// Reads a value of each form.
+/// Visitor that reads a value of each form.
 struct FieldReader::ReadValue {
   Mapping& in;
   const Field& f;
@@ -169,7 +169,7 @@ bool FieldWriter::first_of(const std::vector<Saying>& sayings) {
 void FieldWriter::kind_field(const Key& key, std::vector<std::string> names,
                              std::optional<std::size_t> kind, Presence /*presence*/,
                              const std::function<void(Fields&, std::size_t)>& keys) {
-  BARAKA_CHECK(kind.has_value());  // what a file cannot say cannot be written to one
+  BARAKA_CHECK(kind.has_value());  // a file must be able to state it
   out_.text(key.name, names[*kind]);
   keys(*this, *kind);
 }

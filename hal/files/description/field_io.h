@@ -10,7 +10,7 @@
 
 namespace hal::files::description {
 
-/// Reads the fields of a struct from a mapping, which outlives it and has the mistakes.
+/// Reads the fields of a struct from a mapping, which must outlive it and records the mistakes.
 class FieldReader final : public Fields {
  public:
   using Fields::own;
@@ -45,7 +45,7 @@ class FieldWriter final : public Fields {
   using Fields::own;
   explicit FieldWriter(Writer& out) : out_(out) {}
 
-  /// Of what must not change.
+  /// For constants.
   template <class E, std::size_t kSize>
   void choice(const Key& key, const std::array<Option<E>, kSize>& options, E value) {
     Fields::choice(key, options, value);
@@ -77,7 +77,7 @@ class FieldWriter final : public Fields {
   Writer& out_;
 };
 
-/// Lists the same keys, those with a meaning and those without, but not what stands inside them.
+/// Lists all keys of the same struct, used or unused, but not those of inner mappings.
 class FieldNames final : public Fields {
  public:
   using Fields::own;

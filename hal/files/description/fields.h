@@ -29,23 +29,23 @@ using config::Option;
 using config::Range;
 using config::Writer;
 
-constexpr Range kAngle{-10, 10};   ///< rad, more than a full turn either way.
-constexpr Range kOffset{-10, 10};  ///< m, from a body's origin.
+constexpr Range kAngle{-10, 10};   ///< rad, more than a full turn in either direction.
+constexpr Range kOffset{-10, 10};  ///< m, from the body's origin.
 
-/// The keys of a struct, each described once, in the call that names its member: what it is called
-/// and means (Key), its unit and limits or its options. A function over Fields describes a struct:
-/// a FieldReader reads it from a file, a FieldWriter writes it so that it reads back to the same
-/// bits, FieldNames lists its keys, KeyDescriber tells of them.
+/// The keys of a struct, each described once, by the call that binds its member: name and meaning
+/// (Key), unit and limits or options. A function over Fields describes a struct: FieldReader reads
+/// it from a file, FieldWriter writes it so that it reads back to the same bits, FieldNames lists
+/// its keys, and KeyDescriber documents them.
 ///
 ///   void keys_of(Fields& io, Sonar& c) {
 ///     io.needed({"max_range", "What is farther is not seen.", "4 m"}, "m", {0, 9}, c.max_range);
 ///     io.duration({"period", "Between two measurements.", "60 ms"}, {0, 10}, c.period);
 ///   }
 ///
-/// A key that is absent leaves its member as it is, unless the key is `needed`.
+/// An absent key leaves its member unchanged, unless the key is `needed`.
 class Fields {
  public:
-  /// Describes the keys of a T.
+  /// Function that describes the keys of a T.
   template <class T>
   using BodyOf = std::type_identity_t<std::function<void(Fields&, T&)>>;
 
@@ -60,7 +60,7 @@ class Fields {
   void vec3(const Key& key, std::string_view unit, Range range, Vec3& value) {
     field({key, unit, range, &value});
   }
-  /// Must be there: a double, a Vec2 or a Vec3.
+  /// A required double, Vec2 or Vec3.
   template <class T>
   void needed(const Key& key, std::string_view unit, Range range, T& value) {
     field({key, unit, range, &value, Presence::kNeeded});
@@ -70,7 +70,7 @@ class Fields {
   void quantity(const Key& key, std::string_view unit, Range range, Q& value) {
     number(key, unit, range, value.value);
   }
-  /// "none" gives nothing.
+  /// "none" gives nullopt.
   template <class Q>
   void optional(const Key& key, std::string_view unit, double low, std::optional<Q>& value) {
     double given = value ? value->value : kUnlimited;
@@ -95,7 +95,7 @@ class Fields {
   void needed(const Key& key, Range seconds, Duration& value) {
     field({key, "s", seconds, &value, Presence::kNeeded});
   }
-  /// "none" gives nothing.
+  /// "none" gives nullopt.
   void optional_duration(const Key& key, double low, std::optional<Duration>& value) {
     field({key, "s", {low, kUnlimited}, &value});
   }
@@ -111,13 +111,13 @@ class Fields {
   template <class Options, class E>
   void choice(const Key& key, const Options& options, E& value) {
     const auto found = std::ranges::find(options, value, &Option<E>::value);
-    BARAKA_CHECK(found != options.end());  // what a file cannot say cannot be written to one
+    BARAKA_CHECK(found != options.end());  // a file must be able to state it
     auto index = static_cast<std::size_t>(found - options.begin());
     field({key, "", {}, Choice{names(options), &index}});
     value = options[index].value;
   }
 
-  /// Must be there.
+  /// A required choice.
   template <class Options, class E>
   void needed_choice(const Key& key, const Options& options, E& value) {
     const auto found = std::ranges::find(options, value, &Option<E>::value);
@@ -127,9 +127,9 @@ class Fields {
     value = options[index].value;
   }
 
-  /// What is only there where the key is: a Quantity, a Duration, an integer or an option. Without
-  /// the key it stays as it is, and what is nothing is not written. Each returns whether it was
-  /// read.
+  /// A member that has a value only if the key is present: a Quantity, a Duration, an integer or an
+  /// option. Without the key it is unchanged, and nullopt is not written. Each returns whether a
+  /// value was read.
   template <class Q>
   bool given(const Key& key, std::string_view unit, Range range, std::optional<Q>& value) {
     double given = value ? value->value : range.low;
@@ -173,13 +173,13 @@ class Fields {
     if (is_read) value = options[index].value;
     return is_read;
   }
-  /// Text; empty: it is not there.
+  /// Text; empty: the key is absent.
   bool given_text(const Key& key, std::string& value) {
     return field_given({key, "", {}, &value}, !value.empty());
   }
 
-  /// A value that files have as text with a form of its own, which `spell` gives. `parse` takes
-  /// the text of a file that says something else, and notes what is wrong with it.
+  /// A value with its own text form in files, which `spell` produces. `parse` takes a text that
+  /// differs from it and records what is wrong with it.
   template <class T, class Spell, class Parse>
   void spelled(const Key& key, T& value, Spell&& spell, Parse&& parse) {
     const std::string before = spell(std::as_const(value));
@@ -188,10 +188,10 @@ class Fields {
     if (reading() != nullptr && text != before) parse(text, value);
   }
 
-  /// A mapping inside, whose keys `body` has.
+  /// An inner mapping, whose keys `body` describes.
   virtual void inside(const Key& key, const std::function<void(Fields&)>& body) = 0;
 
-  /// A mapping that is there or not. Returns whether it is.
+  /// An optional mapping. Returns whether it is present.
   bool inside_given(const Key& key, bool is_there, const std::function<void(Fields&)>& body) {
     if (reading() != nullptr) is_there = reading()->has(key.name);
     if (is_describing()) {
@@ -202,14 +202,15 @@ class Fields {
     return is_there;
   }
 
-  /// Mappings under names of the user's own.
-  /// @param each  what each of them is; its name stands for theirs. @param names  to be written.
+  /// Mappings under names chosen by the user.
+  /// @param each  description of one of them, with a placeholder as its name.
+  /// @param names  those to write.
   virtual void named(const Key& each, const std::vector<std::string>& names,
                      const std::function<void(Fields&, const std::string&)>& body) = 0;
 
-  /// A list of mappings, whose keys `body` has. What is of no known kind is left out. Items
-  /// that are read take the place of what was there.
-  /// @param like  what an item is before it is read.
+  /// A list of mappings, whose keys `body` describes. Items of unknown kinds are omitted. Items
+  /// that are read replace the previous ones.
+  /// @param like  initial value of an item before it is read.
   template <class T>
   void list(const Key& key, std::vector<T>& items, const BodyOf<T>& body, const T& like = {}) {
     bool is_first = true;
@@ -223,21 +224,21 @@ class Fields {
       if (io.reading() != nullptr && io.reading()->leaves_rest()) items.pop_back();
     });
   }
-  /// The same; if there is none, the key is not written.
+  /// The same; an empty list is not written.
   template <class T>
   void list_if_any(const Key& key, std::vector<T>& items, const BodyOf<T>& body,
                    const T& like = {}) {
     written_if(!items.empty(), [&](Fields& io) { io.list<T>(key, items, body, like); });
   }
 
-  /// Keys whose defaults are not worth a line of a file that is written.
+  /// Keys that are always read, but written only on this condition.
   void written_if(bool is_written, const std::function<void(Fields&)>& body) {
     only(reading() != nullptr || is_written, {}, "", body);
   }
 
-  /// One of several mappings, by whose key a file says which alternative of a variant it means;
-  /// none of them: the variant stays as it is, and what `otherwise` describes is there. `body`
-  /// describes the alternative. Returns whether there is one.
+  /// One of several mappings, whose key selects the alternative of a variant. Without any of them
+  /// the variant is unchanged and the keys of `otherwise` apply. `body` describes the alternative.
+  /// Returns whether there is one.
   template <class V>
   struct Alternative {
     Key key;
@@ -264,9 +265,9 @@ class Fields {
     return true;
   }
 
-  /// Keys that only count when another key has one of certain values, or is there ("there"), or is
-  /// not ("absent"), which `applies` says. Otherwise they are refused, with the reason, and not
-  /// written.
+  /// Keys that are valid only if another key has one of certain values, or is present ("there") or
+  /// absent ("absent"); `applies` says whether this holds. Otherwise they are refused for the given
+  /// reason, and not written.
   struct When {
     std::string key;
     std::vector<std::string> values;
@@ -274,18 +275,18 @@ class Fields {
   virtual void only(bool applies, const When& when, const std::string& why,
                     const std::function<void(Fields&)>& body) = 0;
 
-  /// What a mapping says, by the key that is there. `is_it`: of what is written.
+  /// One of several forms of a mapping, identified by a key. `is_it`: this is the form to write.
   struct Saying {
     std::string key;
     bool is_it;
     std::function<void(Fields&)> body;
   };
-  /// Of several that it may say it is the first whose key is there; those of the others are not
-  /// known beside it. @return false: none is there.
+  /// Selects the first form whose key is present; the keys of the other forms are then unknown.
+  /// @return false: no form is present.
   virtual bool first_of(const std::vector<Saying>& sayings) = 0;
 
-  /// The kinds of a variant, by their names under `key`, which must be there; `body` describes the
-  /// alternative. An unknown name is one mistake: nothing is said of the other keys.
+  /// The kinds of a variant by their names under `key`, which is required; `body` describes the
+  /// alternative. An unknown name is one mistake: other keys are then not checked.
   template <class V>
   struct Kind {
     std::string_view name;
@@ -309,8 +310,8 @@ class Fields {
     if (before) value = *before;
   }
 
-  /// A choice on which other keys hang: `body` describes them for each of its values. Without the
-  /// key it stays as it is.
+  /// A choice on which other keys depend: `body` describes them for each of its values. Without the
+  /// key it is unchanged.
   template <class Options, class E>
   void choice(const Key& key, const Options& options, E& value,
               const std::function<void(Fields&)>& body) {
@@ -323,15 +324,15 @@ class Fields {
     });
     if (is_describing()) value = options[index].value;
   }
-  /// A kind by its number in `names`, which must be there; `body` describes its keys. An unknown
-  /// name is one mistake, as above.
+  /// A kind by its index in `names`, required; `body` describes its keys. An unknown name is one
+  /// mistake, as above.
   void kind(const Key& key, std::vector<std::string> names,
             const std::function<void(Fields&, std::size_t)>& body) {
     kind_field(key, std::move(names), std::nullopt, Presence::kNeeded, body);
   }
 
-  /// A key whose value has a form of its own in files.
-  /// @param form  a list of texts, unless told otherwise.
+  /// A key whose value has its own form in files.
+  /// @param form  default: a list of texts.
   void own(const Key& key, const std::function<void(Mapping&)>& read,
            const std::function<void(Writer&)>& write) {
     own(key, {.kind = Form::Kind::kTexts}, read, write);
@@ -342,13 +343,13 @@ class Fields {
   /// A key that has no meaning here.
   virtual void unused(const std::string& key, const std::string& why) = 0;
 
-  /// The mapping that is read, for what only a file has; null while nothing is read.
+  /// The mapping being read, for properties that only a file has; null while nothing is read.
   virtual Mapping* reading() { return nullptr; }
 
-  /// Whether values are written, for what is written otherwise than it is read.
+  /// Whether values are written, for keys that are written differently from how they are read.
   virtual bool is_writing() const { return false; }
 
-  /// Notes a mistake of what was read.
+  /// Records a mistake in what was read.
   void mistake(const std::string& key, std::string what) {
     if (Mapping* in = reading(); in != nullptr && !in->leaves_rest())
       in->mistake(key, std::move(what));
@@ -356,9 +357,9 @@ class Fields {
 
  protected:
   enum class Presence : std::uint8_t {
-    kOtherwise,  ///< Absent, the member stays as it is.
+    kOtherwise,  ///< If absent, the member is unchanged.
     kNeeded,
-    kGiven,  ///< `is_there` says whether it is.
+    kGiven,  ///< `is_there` says whether the key is present.
   };
   struct Whole {
     std::int64_t low, high;
@@ -401,38 +402,38 @@ class Fields {
          [&](Fields& io) { io.describe_from<V>(alternatives.subspan(1), body, otherwise); });
     return true;
   }
-  /// @return whether it was read.
+  /// @return whether a value was read.
   bool field_given(Field f, bool is_there) {
     f.presence = Presence::kGiven;
     f.is_there = &is_there;
     field(f);
     return reading() != nullptr && is_there;
   }
-  /// Whether keys are told of, whatever they hang on.
+  /// Whether keys are only described, without regard to the values on which they depend.
   virtual bool is_describing() const { return false; }
-  /// A mapping that is one of several.
+  /// One of several alternative mappings.
   virtual void inside_if_there(const Key& key, const std::function<void(Fields&)>& body) {
     inside(key, body);
   }
   virtual void field(const Field& field) = 0;
-  /// @param kind  to be written, or that counts without the key. @param keys  of the kind with that
-  /// number.
+  /// @param kind  to be written, or the default without the key.
+  /// @param keys  describes the keys of the kind with that index.
   virtual void kind_field(const Key& key, std::vector<std::string> names,
                           std::optional<std::size_t> kind, Presence presence,
                           const std::function<void(Fields&, std::size_t)>& keys) = 0;
-  /// @param count  of the items, to be written.
+  /// @param count  number of items to write.
   virtual void each(const Key& key, std::size_t count,
                     const std::function<void(Fields&, std::size_t)>& body) = 0;
 };
 
-/// One alternative of a variant, under the key that a file says it by.
+/// One alternative of a variant, selected in files by this key.
 template <class V, class T>
 Fields::Alternative<V> alternative(Key key) {
   return {std::move(key), []() -> V { return T{}; }};
 }
 
-/// The alternatives of a variant, but those behind the first `kCount`, as kinds.
-/// @param name_of  gives the name of an alternative, which it is handed.
+/// The first `kCount` alternatives of a variant, as kinds.
+/// @param name_of  returns the name of the alternative that it is given.
 template <class V, std::size_t kCount = std::variant_size_v<V>, class Name>
 auto kinds_of(Name name_of) {
   return [&]<std::size_t... kIndex>(std::index_sequence<kIndex...> /*all*/) {
@@ -443,7 +444,7 @@ auto kinds_of(Name name_of) {
   (std::make_index_sequence<kCount>{});
 }
 
-/// An alternative of a variant, which it is from then on.
+/// The variant as this alternative; it is set to it if it has another.
 template <class T, class V>
 T& as(V& variant) {
   if (T* const there = std::get_if<T>(&variant)) return *there;
@@ -451,9 +452,9 @@ T& as(V& variant) {
   return std::get<T>(variant);
 }
 
-/// `version` of a file, which it may say.
+/// Optional key `version` of a file.
 void version_key(Fields& io);
-/// The same where it must.
+/// Required key `version`.
 void needed_version_key(Fields& io);
 
 }  // namespace hal::files::description

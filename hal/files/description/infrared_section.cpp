@@ -61,7 +61,7 @@ void curve_keys(Fields& io, InfraredCurve& curve) {
   });
 }
 
-/// All but where it sits.
+/// All keys except those of the mounting.
 void sensor_keys(Fields& io, InfraredSensor& c) {
   io.number({"height", "Of the horizontal beam above the ground.", "4 cm"}, "m", {0, 10},
             c.position.z);

@@ -7,8 +7,8 @@
 
 namespace hal::files::description {
 
-/// `infrared:` of a robot: `sensor`, what all have in common, and `mounts`, one per sensor, which
-/// may deviate.
+/// `infrared:` of a robot: `sensor`, the common properties, and `mounts`, one per sensor, which may
+/// override them.
 void infrared_keys(Fields& io, std::vector<node::devices::InfraredSensor>& sensors);
 
 }  // namespace hal::files::description

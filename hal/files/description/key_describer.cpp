@@ -121,8 +121,8 @@ namespace {
 
 using Conditions = std::vector<Condition>;
 
-/// The condition with the values of all others on the same key; without values if one of them lacks
-/// it.
+/// Combines a condition with the values of all others on the same key; without values if one of the
+/// sets has no such condition.
 Condition joined(Condition condition, std::span<const Conditions> others) {
   for (const Conditions& other : others) {
     const auto same = std::ranges::find_if(other, [&](const Condition& one) {
@@ -136,8 +136,8 @@ Condition joined(Condition condition, std::span<const Conditions> others) {
   return condition;
 }
 
-/// What holds for each version of a key: conditions on the same key are joined, and those that not
-/// all versions have, or that leave no value out, are none.
+/// Conditions that apply to all versions of a key: conditions on the same key are joined; those
+/// that some versions lack, or that permit every value, are dropped.
 Conditions joined(const std::vector<Conditions>& all,
                   const std::map<std::string, std::vector<std::string>>& options) {
   Conditions result;
@@ -152,7 +152,7 @@ Conditions joined(const std::vector<Conditions>& all,
   return result;
 }
 
-/// The value that sets a version apart: that of its innermost condition.
+/// The value that distinguishes a version: that of its innermost condition.
 std::string with_of(const std::vector<Condition>& conditions) {
   return conditions.empty() || conditions.back().values.empty() ? ""
                                                                 : conditions.back().values.front();
@@ -196,7 +196,7 @@ bool are_equal(const Condition& a, const Condition& b) {
 
 using ByMapping = std::map<std::string, std::vector<KeyDescription>>;
 
-/// What holds for a mapping holds for its keys: it need not be said again.
+/// Appends the keys of a mapping. Conditions of the mapping apply to its keys and are not repeated.
 void append(const std::string& mapping, const std::vector<Condition>& known, ByMapping& all,
             std::vector<KeyDescription>& out) {
   const std::vector<KeyDescription> keys = std::exchange(all[mapping], {});

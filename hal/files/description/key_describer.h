@@ -9,12 +9,12 @@
 
 namespace hal::files::description {
 
-/// Describes the keys of a kind of file: a function over Fields that describes a struct runs once,
-/// over the struct as it is without a file, and tells of every key that it can have, whatever it
-/// hangs on.
+/// Describes the keys of a kind of file. The function over Fields that describes a struct runs
+/// once, over the struct with its defaults, and visits every possible key, whatever other values it
+/// depends on.
 class KeyDescriber final : public Fields {
  public:
-  /// In the order of description, those of a mapping together.
+  /// In the order of description, grouped by mapping.
   std::vector<config::KeyDescription> keys() const;
 
   using Fields::own;
@@ -34,7 +34,7 @@ class KeyDescriber final : public Fields {
   void unused(const std::string& /*key*/, const std::string& /*why*/) override {}
 
  private:
-  /// What is told of a key under certain conditions.
+  /// Default and form of a key under certain conditions.
   struct Version {
     std::string otherwise;
     Form form;
@@ -57,7 +57,7 @@ class KeyDescriber final : public Fields {
 
   std::string path_of(const std::string& key) const;
   void note(const Key& key, Form form, std::string otherwise, bool optional = false);
-  /// Runs a body in a mapping, or under a condition.
+  /// Runs a body inside a mapping, or under a condition.
   void within(const std::string& key, const std::function<void(Fields&)>& body);
   void under(config::Condition condition, const std::function<void(Fields&)>& body);
   config::KeyDescription described(const Noted& noted) const;
@@ -65,8 +65,8 @@ class KeyDescriber final : public Fields {
   std::string path_;
   std::vector<config::Condition> conditions_;
   std::vector<Noted> noted_;
-  std::map<std::string, std::size_t> places_;                ///< In noted_, by path.
-  std::map<std::string, std::vector<std::string>> options_;  ///< Of choices, by path.
+  std::map<std::string, std::size_t> places_;                ///< Index in noted_ by path.
+  std::map<std::string, std::vector<std::string>> options_;  ///< Options of choices, by path.
 };
 
 }  // namespace hal::files::description

@@ -10,8 +10,8 @@
 namespace hal::files::description {
 namespace {
 
-/// Channels of devices that are not in `sensors:`, topics that every robot has, and the name that
-/// tells the one battery.
+/// Channels of devices that are not in `sensors:`, topics of every robot, and the name of the
+/// battery.
 constexpr std::array<std::string_view, 11> kTaken{
     "localisation", "odometry",  "infrared", "infrared_volts", "odom",   "range",
     "cmd_vel",      "base_link", "base",     "emergency_stop", "battery"};

@@ -4,11 +4,11 @@
 
 namespace hal::files::description {
 
-/// Letters, digits, '_' and '-'.
+/// Whether the text has only letters, digits, '_' and '-'.
 bool are_name_characters(std::string_view text);
 
-/// Whether an agent may have that name: letters, digits, '_' and '-' after a letter. Names stand in
-/// DDS topics, file names and patterns.
+/// Whether an agent may have this name: a letter, then letters, digits, '_' and '-'. Names are used
+/// in DDS topics, file names and patterns.
 bool may_be_named(std::string_view name);
 
 }  // namespace hal::files::description

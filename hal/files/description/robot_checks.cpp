@@ -20,11 +20,12 @@ using node::devices::BodyBox;
 using node::devices::BodyCylinder;
 using node::devices::RobotDescription;
 
-/// A sensor flush with the surface may be this deep inside by rounding of the file's numbers, m.
+/// Depth inside the body that is still tolerated for a flush sensor, because of rounding in the
+/// file, m.
 constexpr double kFlush = 1e-3;
 
-/// Wheels are lifted by bumps and by others that push: what the motors do alone must leave this
-/// share of what it takes.
+/// Margin, as a share of the lifting acceleration, that the motors must leave, because bumps and
+/// collisions also lift wheels.
 constexpr double kSpare = 0.2;
 
 std::string lifts(const Stability& s) {
@@ -51,8 +52,8 @@ void check_stability(Mapping& wheels, const RobotDescription& robot, double grav
   }
 }
 
-/// The one motion that a robot has, in its own frame, when fixed wheels on several axles leave no
-/// other: mostly straight ahead.
+/// Warns if fixed wheels on several axles leave the robot only one motion, in most cases straight
+/// ahead.
 void check_motions(Mapping& wheels, const node::devices::WheelDrive& drive) {
   if (drive.degrees_of_freedom() > 1) return;
   const Twist2 only = drive.limits();
@@ -110,7 +111,7 @@ void check_sensors(Mapping infrared, const RobotDescription& robot) {
 void check_robot(Mapping& in, const RobotDescription& robot, double gravity) {
   const bool complete =
       robot.wheels.size() >= 3 && !(robot.cylinders.empty() && robot.boxes.empty());
-  if (!complete) return;  // that was noted
+  if (!complete) return;  // reported elsewhere
   check_wheels(in.within("wheels"), robot, gravity);
   check_sensors(in.within("infrared"), robot);
 }

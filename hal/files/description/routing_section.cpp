@@ -38,7 +38,7 @@ const Key kMetric{"metric",
 const Key kClasses{"classes", "Message classes that choose their routes in a way of their own.",
                    "{video: {metric: delay, beta: 4}}"};
 
-/// How the router finds out for itself whether a hop works.
+/// How the router determines whether a hop works.
 void ack_keys(Fields& io, RoutingConfig& c) {
   io.duration({"ack_timeout",
                "Until a frame that nobody acknowledged is repeated; doubled each time.", "50 ms"},
@@ -54,7 +54,7 @@ void hello_keys(Fields& io, RoutingConfig& c) {
            c.hello_limit);
 }
 
-/// Keys that count only where the link does not tell what becomes of a frame.
+/// Keys that are used only if the link does not report the result of each frame.
 void over_udp(Fields& io, const LinkCapabilities& link, const std::function<void(Fields&)>& body) {
   const Fields::When when = link.tx_status ? Fields::When{".link", {"udp_like"}}
                                            : Fields::When{};  // files without `link`
@@ -119,7 +119,7 @@ void buffer_keys(Fields& io, RoutingConfig& c) {
               c.buffer_age);
 }
 
-/// The one statistic that the metric is; none: it weighs several.
+/// The statistic, if the metric has only one; nullopt: it weighs several.
 std::optional<PathStatistic> single(const PathMetric& metric) {
   for (const auto& one : kStatistics) {
     if (metric == path_metric(one.value, metric.direct_weight)) return one.value;
@@ -141,8 +141,8 @@ void weight_key(Fields& io, const Option<PathStatistic>& statistic, PathMetric& 
   if (!io.is_writing()) metric.set_weight(statistic.value, weight);
 }
 
-/// Several statistics with their exponents. Where the ratio of signal to noise can have no effect
-/// it is not offered; who gives it is told why.
+/// Several statistics with their exponents. The signal-to-noise ratio is not offered if it can have
+/// no effect; a file that gives it gets an explanation.
 void weight_keys(Fields& io, PathMetric& metric, const LinkCapabilities& link) {
   if (!io.is_writing()) metric = {.hops = 0, .direct_weight = metric.direct_weight};
   std::vector<std::string> given;
@@ -172,7 +172,7 @@ void check_metric(Mapping& in, PathMetric& metric, const PathMetric& otherwise,
   }
 }
 
-/// A statistic by its name, or a mapping of several.
+/// A statistic by its name, or a mapping of several statistics.
 void metric_key(Fields& io, PathMetric& metric, const LinkCapabilities& link) {
   const PathMetric otherwise = metric;
   std::optional<PathStatistic> statistic = single(metric);
@@ -188,7 +188,7 @@ void metric_key(Fields& io, PathMetric& metric, const LinkCapabilities& link) {
   if (in != nullptr) check_metric(*in, metric, otherwise, link);
 }
 
-/// What a message class may choose for itself.
+/// Keys that a message class may set for itself.
 void class_keys(Fields& io, RouteChoice& c, const LinkCapabilities& link) {
   metric_key(io, c.metric, link);
   choice_keys(io, c);
@@ -208,7 +208,7 @@ void classes_key(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   });
 }
 
-/// What every protocol has, own ones of programs that link the simulator, too.
+/// Keys of every protocol, including those defined by programs that link the simulator.
 void common_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   jitter_key(io, c);
   hop_limit_key(io, c);
@@ -226,7 +226,7 @@ void ant_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   classes_key(io, c, link);
 }
 
-/// AntHocNet's hellos carry pheromone: it sends them over any link.
+/// AntHocNet's hellos carry pheromone, so they are sent over any link.
 void all_anthocnet_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   jitter_key(io, c);
   retry_keys(io, c);
@@ -248,7 +248,7 @@ void all_aodv_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
 /// A protocol that files can name.
 struct Protocol {
   Algorithm algorithm;
-  void (*set_defaults)(RoutingConfig& c);  ///< Where they are not those of RoutingConfig.
+  void (*set_defaults)(RoutingConfig& c);  ///< If they differ from those of RoutingConfig.
   void (*keys)(Fields& io, RoutingConfig& c, const LinkCapabilities& link);
 };
 
@@ -288,7 +288,7 @@ FieldNames names_of(Algorithm algorithm, const LinkCapabilities& link) {
   return names;
 }
 
-/// Keys of other protocols mean nothing here.
+/// Refuses keys of other protocols, which have no effect here.
 void refuse_others(Mapping& in, Algorithm algorithm, const LinkCapabilities& link) {
   FieldNames known = names_of(algorithm, link);
   for (const Protocol& other : kProtocols) {

@@ -8,14 +8,13 @@
 
 namespace hal::files::description {
 
-/// The algorithms that files can name, `none` behind the others.
+/// The algorithms that files can name, with `none` last.
 std::vector<config::Option<node::routing::Algorithm>> routing_algorithms();
 
 /// `routing:` of a scenario, or of a real agent's file: a mapping, or `none`.
-/// @param c  of which the algorithm and what files say of it is written. @param link  what the link
-/// under the router tells of its frames. If it reports what becomes of
-///              them, the keys of hop acknowledgements and hellos are refused; if it does not tell
-///              how strong they were, so is the metric of the signal to noise ratio.
+/// @param c  must have the algorithm to write; receives what the file states.
+/// @param link  capabilities of the link below the router. With transmit status, the keys of hop
+///   acknowledgements and hellos are refused; without RSSI, so is the signal-to-noise metric.
 void routing_key(Fields& io, node::routing::RoutingConfig& c,
                  const node::routing::LinkCapabilities& link);
 

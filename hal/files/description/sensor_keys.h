@@ -13,7 +13,7 @@ void keys_of(Fields& io, node::devices::PoseSensor& pose);
 void keys_of(Fields& io, node::devices::ScanSensor& scan);
 void keys_of(Fields& io, node::devices::Sonar& sonar);
 
-/// `name` of a sensor that has no place of its own.
+/// `name` of a sensor without a position.
 void name_key(Fields& io, node::devices::Mount& mount);
 
 /// `name`, `position` and `heading` of a sensor.

@@ -23,7 +23,7 @@ std::string meaning_of_kind() {
   return "Of the sensor: " + all + ".";
 }
 
-/// @param all  those up to and including this one.
+/// @param all  the sensors so far, including this one.
 void check(Fields& io, const SensorDescription& sensor, const std::vector<SensorDescription>& all) {
   const std::string& name = mount_of(sensor).name;
   const auto is_called_so = [&](const auto& other) { return mount_of(other).name == name; };

@@ -21,13 +21,14 @@ using node::devices::WheelType;
 /// A solid part of the robot.
 struct SolidPart {
   double mass;
-  Vec3 centre;             ///< m, body frame
-  Eigen::Matrix3d spread;  ///< m^2, mean products of the distances of its mass from its centre.
+  Vec3 centre;  ///< m, body frame
+  /// m^2, mean products of the components of the distance of its mass from its centre.
+  Eigen::Matrix3d spread;
 };
 
 Eigen::Vector3d in_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-/// @param squares  m^2, mean square distances along its own axes. @param yaw  rad
+/// @param squares  mean squared distances along its own axes, m^2. @param yaw  rad
 Eigen::Matrix3d spread(const Vec3& squares, double yaw) {
   const double cos = math::cos(yaw), sin = math::sin(yaw);
   Eigen::Matrix3d turn;
@@ -49,7 +50,7 @@ std::vector<SolidPart> parts_of(const RobotDescription& robot) {
     parts.push_back({b.mass, b.centre, spread((1.0 / 12) * squares, b.yaw)});
   }
   for (const Wheel& w : robot.wheels) {
-    const double round = w.radius * w.radius / 5;  // as the simulator has it: a sphere
+    const double round = w.radius * w.radius / 5;  // a sphere, as in the simulator
     parts.push_back(
         {w.mass, {w.position.x, w.position.y, w.radius}, spread({round, round, round}, 0)});
   }
@@ -68,10 +69,11 @@ Vec3 centre_of(const std::vector<SolidPart>& parts) {
   return (1 / mass_of(parts)) * moment;
 }
 
-/// Squared radius of gyration about a horizontal axis through the centre of mass. m^2
-/// @param across  unit vector across the axis.
+/// Squared radius of gyration about a horizontal axis through the centre of mass, m^2.
+/// @param across  unit vector perpendicular to the axis.
 double gyration(const std::vector<SolidPart>& parts, const Vec3& centre, Vec2 across) {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();  // about the centre of mass (Steiner)
+  Eigen::Matrix3d sum =
+      Eigen::Matrix3d::Zero();  // about the centre of mass (parallel-axis theorem)
   for (const SolidPart& p : parts) {
     const Eigen::Vector3d to = in_eigen(p.centre - centre);
     sum += p.mass * (p.spread + to * to.transpose());
@@ -82,7 +84,7 @@ double gyration(const std::vector<SolidPart>& parts, const Vec3& centre, Vec2 ac
 
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// Corners of the area between the wheels, counter-clockwise (A. M. Andrew, "Another Efficient
+/// Corners of the convex hull of the wheels, counter-clockwise (A. M. Andrew, "Another Efficient
 /// Algorithm for Convex Hulls in Two Dimensions", 1979).
 std::vector<Vec2> support(const std::vector<Wheel>& wheels) {
   std::vector<Vec2> points;
@@ -104,7 +106,7 @@ std::vector<Vec2> support(const std::vector<Wheel>& wheels) {
   return hull;
 }
 
-/// Shares of the weight on the wheels, as on equal springs: a plane in the wheels' positions.
+/// Each wheel's share of the weight, as on equal springs: linear in the wheels' positions.
 std::vector<double> loads(const std::vector<Wheel>& wheels, Vec2 centre) {
   const double n = static_cast<double>(wheels.size());
   Vec2 mean;
@@ -124,7 +126,7 @@ std::vector<double> loads(const std::vector<Wheel>& wheels, Vec2 centre) {
   return shares;
 }
 
-/// Largest force that a wheel puts on the ground against a push of the body in a direction. N
+/// Largest force of a wheel on the ground against a push of the body in a direction, N.
 double grip(const Wheel& wheel, double load, Vec2 direction) {
   const Vec2 grip{-math::sin(wheel.slip_heading()), math::cos(wheel.slip_heading())};
   const double along = std::abs(dot(grip, direction));
@@ -132,11 +134,11 @@ double grip(const Wheel& wheel, double load, Vec2 direction) {
   const double lever = wheel.radius * math::cos(wheel.roller_angle);
   const double driven =
       wheel.is_driven() ? std::min(wheel.mu * load, wheel.max_torque / lever) : wheel.mu * load;
-  // A fixed wheel holds the body across itself. It does not push it there: its motor cannot.
+  // A fixed wheel resists a push along its axle, but its motor cannot push in that direction.
   return along * driven + (wheel.type == WheelType::kFixed ? 0 : across * wheel.mu2 * load);
 }
 
-/// Acceleration in a direction that the grip and the torque of the wheels give. m/s^2
+/// Acceleration in a direction that grip and torque of the wheels permit, m/s^2.
 double traction(const RobotDescription& robot, const Vec3& centre, double mass, double gravity,
                 Vec2 direction) {
   const std::vector<double> shares = loads(robot.wheels, {centre.x, centre.y});
@@ -146,10 +148,11 @@ double traction(const RobotDescription& robot, const Vec3& centre, double mass, 
   return force / mass;
 }
 
-/// The fastest straight motion that comes nearest to a direction.
+/// The fastest straight motion that is nearest to a direction.
 struct Straight {
   double speed = 0;  ///< m/s along the direction; 0: the wheels allow none.
-  double share = 0;  ///< Of an acceleration of the body that is along the direction.
+  /// Component of the body's acceleration limit along the direction, as a share.
+  double share = 0;
 };
 Straight straight(const std::vector<Wheel>& wheels, Vec2 direction) {
   const node::devices::WheelDrive drive(wheels);
@@ -171,13 +174,13 @@ struct Pivot {
   double gravity;         ///< m/s^2
 };
 
-/// One stretch of equal acceleration away from the edge.
+/// An interval of constant acceleration away from the edge.
 struct Push {
   double acceleration;  ///< m/s^2
   double seconds;
 };
 
-/// m/s^2 at a time [s]; nothing after the last push.
+/// Acceleration at a time [s], m/s^2; nullopt after the last push.
 std::optional<double> push_at(double time, const std::vector<Push>& pushes) {
   double end = 0;
   for (const Push& push : pushes) {
@@ -187,11 +190,11 @@ std::optional<double> push_at(double time, const std::vector<Push>& pushes) {
   return std::nullopt;
 }
 
-/// Whether the body, at rest on the ground at first, goes over the edge.
+/// Whether the body, initially at rest on the ground, tips over the edge.
 bool goes_over(const Pivot& pivot, const std::vector<Push>& pushes) {
   constexpr double kStep = 1e-3;   // s; bodies of a metre take some tenths of a second to fall
   constexpr double kLongest = 10;  // s
-  const double balance = math::atan2(pivot.inside, pivot.height);  // rad, where it stands on edge
+  const double balance = math::atan2(pivot.inside, pivot.height);  // rad, at which it balances
   double tilt = 0, rate = 0;
   for (double time = 0; time < kLongest; time += kStep) {
     const std::optional<double> push = push_at(time, pushes);
@@ -207,7 +210,7 @@ bool goes_over(const Pivot& pivot, const std::vector<Push>& pushes) {
   return false;
 }
 
-/// What the robot's motors do to it over one edge.
+/// Effect of the robot's motors at one edge.
 void drive_over(const RobotDescription& robot, const std::vector<SolidPart>& parts, Vec2 inward,
                 double gravity, Stability& result) {
   const auto& limits = robot.acceleration;
@@ -225,7 +228,7 @@ void drive_over(const RobotDescription& robot, const std::vector<SolidPart>& par
                                {{braking, speed / braking}, {speeding, speed / speeding}});
 }
 
-/// Of two edges, which is the weaker one.
+/// Sort key of an edge: the weaker edge is less.
 auto strength(const Stability& s) {
   return std::make_tuple(s.inside > 0, !s.tips_over, s.lifting - s.driving);
 }

@@ -15,7 +15,7 @@ constexpr Range kWheelSize{1e-3, 10};   // m
 constexpr Range kWheelMass{1e-3, 100};  // kg
 constexpr Range kGrip{1e-3, 100};
 constexpr Range kGlide{0, 100};
-constexpr Range kRoller{-1.4, 1.4};  // rad: at 80 degrees a wheel hardly drives any more
+constexpr Range kRoller{-1.4, 1.4};  // rad: at 80 degrees a wheel hardly drives
 constexpr double kGripOfDriven = 0.6;
 constexpr double kGlideOfRollers = 0.02;
 constexpr double kGlideOfCaster = 0.02;
@@ -62,7 +62,7 @@ const Key kRollerAngle{
     "above.",
     "-45 deg"};
 
-/// @param glides  whether `mu2` was given for all wheels.
+/// @param glides  whether `mu2` is given for all wheels.
 void friction_keys(Fields& io, Wheel& c, bool glides) {
   grip_key(io, c);
   const bool has_rollers = c.type == WheelType::kOmni || c.type == WheelType::kMecanum;
@@ -75,7 +75,7 @@ void motor_keys(Fields& io, Wheel& c) {
             [&](Fields& limit) { limit_keys(limit, c); });
 }
 
-/// What all driven wheels have in common.
+/// Properties common to all driven wheels.
 void common_keys(Fields& io, Wheel& c) {
   static constexpr std::array kAlike{kTypes[0], kTypes[2]};
   io.choice({"type",
@@ -88,7 +88,7 @@ void common_keys(Fields& io, Wheel& c) {
   motor_keys(io, c);
 }
 
-/// A caster has what it says itself, every driven wheel what it or `wheel` says.
+/// A caster must have its own values; a driven wheel may take them from `wheel`.
 void check_complete(Mapping joint, Mapping all, bool is_driven) {
   const auto check = [&](Mapping common, Mapping own, const std::string& key) {
     if (own.has(key)) return;
@@ -102,7 +102,7 @@ void check_complete(Mapping joint, Mapping all, bool is_driven) {
   check(all.within("limit"), joint.within("limit"), "velocity");
 }
 
-/// Of a driven wheel or of a caster.
+/// Keys of a driven wheel or of a caster.
 void drive_keys(Fields& io, Wheel& c, bool glides) {
   size_keys(io, c);
   friction_keys(io, c, glides && c.is_driven());
@@ -115,7 +115,7 @@ void drive_keys(Fields& io, Wheel& c, bool glides) {
   io.unused("limit", "a caster has no motor");
 }
 
-/// It takes nothing from `wheel`.
+/// A caster at the same place; it takes nothing from `wheel`.
 Wheel caster_at(const Wheel& place) {
   return {.position = place.position,
           .axle_heading = place.axle_heading,
@@ -123,7 +123,7 @@ Wheel caster_at(const Wheel& place) {
           .type = WheelType::kCaster};
 }
 
-/// @param all  the robot's wheels in a file that is read; else null.
+/// @param all  the mapping of the robot's wheels when reading; otherwise null.
 void joint_keys(Fields& io, Wheel& c, Mapping* all) {
   mounting_keys(io, {"axis", "Direction of the axle.", "60 deg", "the bearing of the position"},
                 c.position, c.axle_heading);

@@ -7,8 +7,8 @@
 
 namespace hal::files::description {
 
-/// `wheels:` of a robot: `wheel`, what all driven wheels have in common, and `joints`, one per
-/// wheel, which may deviate. Casters take nothing from `wheel`.
+/// `wheels:` of a robot: `wheel`, the common properties of all driven wheels, and `joints`, one per
+/// wheel, which may override them. Casters take nothing from `wheel`.
 void wheels_keys(Fields& io, std::vector<node::devices::Wheel>& wheels);
 
 }  // namespace hal::files::description

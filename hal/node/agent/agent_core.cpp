@@ -114,7 +114,7 @@ void AgentCore::control() {
   add(std::move(control));
 }
 
-/// One sample of a channel serves its controller and those who observe it.
+/// Samples each channel that the controller or an observer wants, once for both.
 void AgentCore::sample(Event& control) {
   for (std::size_t i = 0; i < session_.channels.size(); ++i) {
     const Channel& channel = session_.channels[i];
@@ -181,7 +181,9 @@ Result<void> AgentCore::take_effect(const Action& action, Time as_of) {
 }
 
 Drive& AgentCore::wheels() {
-  BARAKA_CHECK(ports_.drive != nullptr);  // or the session's limits told validate() of wheels
+  BARAKA_CHECK(
+      ports_.drive !=
+      nullptr);  // otherwise the session's limits would let validate() accept wheel commands
   return *ports_.drive;
 }
 
@@ -209,7 +211,7 @@ Result<void> AgentCore::record(const exchange::Record& record) {
 void AgentCore::set_timer(const exchange::SetTimer& timer) {
   Timers::Handle& pending = timers_[timer.timer];
   if (pending != 0) ports_.timers.cancel(pending);
-  // An action may take effect after the time it asked for: then the timer is due at once.
+  // The action may take effect after the requested time; then the timer is due at once.
   pending = ports_.timers.schedule(std::max(timer.at, now()), [this, number = timer.timer] {
     add(event(exchange::TimerDue{number}));
   });
@@ -233,7 +235,7 @@ void AgentCore::on_message(Message message, int transmissions) {
 void AgentCore::on_fate(MessageId message, Fate fate) {
   ports_.observer.on_fate(now(), id(), message, fate);
   const auto sent = sent_.extract(message);
-  if (sent.empty()) return;  // of a controller that is gone
+  if (sent.empty()) return;  // the message was sent by an earlier controller
   add(event(exchange::Notice{sent.mapped(), fate}));
 }
 

@@ -20,16 +20,17 @@
 
 namespace hal::node::agent {
 
-/// What an agent is to its controller, simulated or real: it routes messages, tells of what
-/// happens, and does what it is asked to, if that is in order. When control instants are, how
-/// events travel, and what a drive and sensors are made of is for the host.
+/// What a simulated and a real agent have in common: it routes messages, delivers events to its
+/// controller and carries out the controller's actions if they are valid. The host decides when
+/// control instants are and how events travel, and provides the drive and the sensors.
 ///
 ///                ┌────────────────── disconnect() ──────────────────┐
 ///                ▼                                                  │
 ///   no controller ──connect()──▶ waiting ──start(): START──▶ driven ──stop(): STOP──▶ over
 ///
-/// Without a controller, and when it is over, the agent routes on, and tells observers only. What
-/// happens while it waits is told right after START. When it is over, only words take effect.
+/// Without a controller, and when it is over, the agent keeps routing and reports to observers
+/// only. Events that occur while it is waiting are delivered right after START. When it is over,
+/// only actions for which exchange::is_word() holds take effect.
 ///
 ///   AgentCore core(session, routing, ports);
 ///   core.connect(wants);
@@ -49,7 +50,8 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
     AgentListener& listener;
   };
 
-  /// @param session  with all channels that `ports.sensors` has.   @param ports  outlive the core.
+  /// @param session  contains all channels that `ports.sensors` has.   @param ports  outlive the
+  ///   core.
   AgentCore(exchange::AgentSession session, const routing::RoutingConfig& routing,
             const Ports& ports);
   AgentCore(const AgentCore&) = delete;
@@ -60,39 +62,42 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   const std::string& name() const { return session_.name; }
   const std::string& last_state() const { return last_state_; }
 
-  /// For the link: frames and what became of them.
+  /// For the link: receives frames and the results of transmissions.
   routing::Router& router() { return router_; }
   const routing::Router& router() const { return router_; }
 
-  /// A controller that knows nothing comes: it will be told of the routes and neighbours there are.
+  /// Connects a new controller. It is given all present routes and neighbours to which it
+  /// subscribes.
   void connect(const Wants& wants);
   bool is_connected() const { return phase_ == Phase::kWaiting || phase_ == Phase::kDriven; }
-  /// The controller is gone, with its timers and what waited for it. The wheels turn on.
+  /// The controller is gone: cancels its timers and drops its waiting events. The wheels keep
+  /// turning.
   void disconnect();
-  /// @pre connected. Once more: no effect.
+  /// @pre connected. A second call has no effect.
   void start();
-  /// The last event. A controller that was not started yet is started first; without one: none.
+  /// Delivers the last event. A controller that has not been started is started first. No effect
+  /// without a controller.
   void stop();
 
-  /// A control instant.
+  /// Performs a control instant: samples the sensors and adds the control event.
   void control();
 
-  /// What there is to be handed over now, by (time, cause, arrival).
+  /// Removes and returns the events to be delivered now, by (time, cause, arrival).
   std::vector<exchange::Event> take_events();
-  /// The same, appended.
+  /// The same, appended to `to`.
   void take_events(std::vector<exchange::Event>& to);
 
-  /// Lets an action take effect now. ControllerFailed has none: it is for the host.
-  /// @param as_of  when the answer came in that it is of.
+  /// Lets an action take effect now. ControllerFailed has no effect here: the host handles it.
+  /// @param as_of  when the reply that contains the action arrived.
   /// Errors, which are counted and logged: those of exchange::validate(), UsedNames and Drive.
   Result<void> apply(const exchange::Action& action, Time as_of);
 
-  /// Counts and logs that an action is not done, the same reason once in five seconds.
+  /// Counts and logs a refused action; the same reason is logged at most once in five seconds.
   void refuse(const std::string& why);
   std::uint64_t refused() const { return refused_; }
 
   bool has_wheels() const { return ports_.drive != nullptr; }
-  void halt();  ///< Without wheels: no effect.
+  void halt();  ///< No effect without wheels.
 
   void on_message(Message message, int transmissions) override;
   void on_fate(MessageId id, Fate fate) override;
@@ -122,27 +127,28 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   void set_timer(const exchange::SetTimer& timer);
   void set_state(const std::string& state);
 
-  // First what every control instant needs: of thousands of agents, little else is in the cache.
+  // Members used at every control instant come first: with thousands of agents little else stays in
+  // the cache.
   const Ports ports_;
   const AgentId id_;
   Phase phase_ = Phase::kNoController;
-  bool asks_ = false;  ///< The controller asked for some channel.
+  bool asks_ = false;  ///< The controller subscribes to some channel.
   Inbox inbox_;
 
   const exchange::AgentSession session_;
   routing::Router router_;
   Wants wants_;
-  std::vector<bool> asked_;  ///< By channel: the controller asked for it.
-  Topics topics_;            ///< That it named.
+  std::vector<bool> asked_;  ///< By channel: the controller subscribes to it.
+  Topics topics_;            ///< Used by the controller.
   RecordedNames recorded_;
   std::map<TimerId, Timers::Handle> timers_;
-  /// A controller numbers its messages from 1, as the one before it did; for the network they are
-  /// numbered on. By the network's number.
+  /// Every controller numbers its messages from 1; in the network they are numbered consecutively
+  /// over all controllers. Maps the network's number to the controller's.
   std::map<MessageId, MessageId> sent_;
-  std::set<AgentId> told_;  ///< Neighbours that it knows, or is about to.
+  std::set<AgentId> told_;  ///< Neighbours reported to the controller, or about to be.
 
-  std::vector<exchange::Event> early_;  ///< Before the start.
-  MessageId last_message_ = 0;          ///< The network's number.
+  std::vector<exchange::Event> early_;  ///< Events before START.
+  MessageId last_message_ = 0;          ///< As numbered in the network.
   std::string last_state_;
   RepeatedLines refusals_;
   std::uint64_t refused_ = 0;

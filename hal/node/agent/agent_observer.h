@@ -19,43 +19,44 @@ namespace hal::node::agent {
 struct Discovery {
   std::string_view topic;
   AgentId destination;
-  Duration took{};     ///< Retries included.
-  bool found = false;  ///< Or given up after the last retry.
+  Duration took{};     ///< Includes retries.
+  bool found = false;  ///< False: given up after the last retry.
 };
 
-/// What there is to see of agents, simulated or real, for records, fingerprints and inspection.
-/// Calls come in event order, all on the host's thread; `at` is the host's time. Must be quick.
+/// Observes agents, simulated or real, for records, fingerprints and inspection. Calls come in
+/// event order, all on the host's thread; `at` is the host's time. Implementations must be quick.
 class AgentObserver {
  public:
   virtual ~AgentObserver() = default;
 
-  /// A control instant of an agent, whether or not it has a controller: then the others follow.
+  /// A control instant of an agent, with or without a controller; the other calls of the instant
+  /// follow.
   virtual void on_cycle(Time at, AgentId agent) { (void)at, (void)agent; }
-  /// Where an agent is, world frame, if its host knows: a fix of motion capture.
+  /// Pose of an agent in the world frame, if its host knows it, e.g. from motion capture.
   virtual void on_pose(Time at, AgentId agent, const Pose2& pose) {
     (void)at, (void)agent, (void)pose;
   }
-  /// Whether it may want readings of some channel of some agent now. While nobody does, the
-  /// channels are not gone through.
+  /// Whether the observer may want readings of any channel of any agent now. If not, observes() is
+  /// not called.
   virtual bool observes_readings() const { return false; }
-  /// Asked only if so: whether it wants the readings of a channel now, also those that no
-  /// controller asked for.
+  /// Called only if observes_readings(): whether it wants the readings of a channel now, including
+  /// channels to which no controller subscribes.
   virtual bool observes(AgentId agent, const Channel& channel) const {
     (void)agent, (void)channel;
     return false;
   }
-  /// A reading of a channel that somebody observes, at a control instant.
+  /// A reading of an observed channel, at a control instant.
   virtual void on_reading(Time at, AgentId agent, const Channel& channel,
                           std::span<const double> values) {
     (void)at, (void)agent, (void)channel, (void)values;
   }
-  /// An event is handed to an agent's controller / an action of it takes effect.
+  /// An event is delivered to an agent's controller; an action of the controller takes effect.
   virtual void on_event(const exchange::Event& event) { (void)event; }
   virtual void on_action(Time at, const exchange::Action& action) { (void)at, (void)action; }
-  /// Numbered by the agent, over all its controllers.
+  /// `message.id` is numbered by the agent, consecutively over all its controllers.
   virtual void on_message_sent(Time at, const Message& message) { (void)at, (void)message; }
-  /// At one receiver; a flood is delivered once per node that it reaches.
-  /// @param transmissions  on its way, the last hop included.
+  /// Delivery at one receiver; a flooded message is delivered once per node that it reaches.
+  /// @param transmissions  number of hops so far, including the last one.
   virtual void on_message_delivered(Time at, AgentId receiver, const Message& message,
                                     int transmissions) {
     (void)at, (void)receiver, (void)message, (void)transmissions;
@@ -71,7 +72,7 @@ class AgentObserver {
   virtual void on_discovery(Time at, AgentId agent, const Discovery& discovery) {
     (void)at, (void)agent, (void)discovery;
   }
-  /// Its routing protocol did something worth counting.
+  /// The agent's routing protocol reports an event that is counted.
   virtual void on_protocol_event(AgentId agent, routing::ProtocolEvent event) {
     (void)agent, (void)event;
   }
@@ -81,7 +82,7 @@ class AgentObserver {
   virtual void on_state(Time at, AgentId agent, std::string_view state) {
     (void)at, (void)agent, (void)state;
   }
-  /// Its controller records a value of its own, which it had at `at`: now or a while ago.
+  /// The agent's controller records a value; `at` is the time of the value, now or earlier.
   virtual void on_record(Time at, AgentId agent, std::string_view name, double value) {
     (void)at, (void)agent, (void)name, (void)value;
   }

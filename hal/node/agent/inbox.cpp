@@ -7,7 +7,7 @@
 namespace hal::node::agent {
 namespace {
 
-/// Moves what happened up to `until` to the end of `to`.
+/// Moves the items with times up to `until` to the end of `to`.
 template <class At, class T>
 void move_until(Time until, std::vector<At>& from, std::vector<T>& to) {
   auto rest = from.begin();
@@ -18,7 +18,8 @@ void move_until(Time until, std::vector<At>& from, std::vector<T>& to) {
 }  // namespace
 
 void Inbox::take(std::vector<exchange::Event>& to) {
-  // What is taken is given back: the next agent's events find that memory in the cache.
+  // The vector is freed at the end, so that the next agent's events reuse memory that is in the
+  // cache.
   std::vector<exchange::Event> events = std::exchange(events_, {});
   const auto before = [](const auto& a, const auto& b) {
     return std::pair(a.time, a.cause()) < std::pair(b.time, b.cause());

@@ -8,8 +8,8 @@
 
 namespace hal::node::agent {
 
-/// What waits for the next exchange with one agent's controller: events, and the changes of its
-/// network that travel with the first event at or after them.
+/// Events and network changes that wait for the next exchange with one agent's controller. A change
+/// travels with the first event at or after it.
 class Inbox {
  public:
   void add(exchange::Event event) { events_.push_back(std::move(event)); }
@@ -21,10 +21,10 @@ class Inbox {
 
   bool empty() const { return events_.empty(); }
 
-  /// The events by (time, cause, arrival), with the changes in them. Of a neighbour an event has
-  /// the last word: as it was heard last, or that it was lost. Changes later than the last event
-  /// stay.
-  /// @param to  they are appended.
+  /// Takes the events by (time, cause, arrival), with the changes they carry. An event carries only
+  /// the latest change of a neighbour: last heard, or lost. Changes later than the last event
+  /// remain.
+  /// @param to  the events are appended to it.
   void take(std::vector<exchange::Event>& to);
 
  private:

@@ -9,20 +9,21 @@
 
 namespace hal::node::agent {
 
-/// Keeps what happens in every control cycle from filling the log: each text at once, then no more
-/// than every five seconds, saying how often it came meanwhile.
+/// Keeps conditions that recur in every control cycle from filling the log: a text is logged at
+/// once, and then at most every five seconds, with the number of occurrences in between.
 class RepeatedLines {
  public:
   static constexpr Duration kPeriod = std::chrono::seconds{5};
-  static constexpr std::size_t kMostTexts = 64;  ///< Remembered; beyond them all are new again.
+  /// Number of texts remembered; beyond it all are forgotten.
+  static constexpr std::size_t kMostTexts = 64;
 
-  /// @return the line to be said; nothing: not now.
+  /// @return the line to log; nullopt if the text is not due.
   std::optional<std::string> take(Time now, const std::string& text);
 
  private:
   struct Said {
     Time at{};
-    std::uint64_t since = 0;  ///< Times that it was not said.
+    std::uint64_t since = 0;  ///< Occurrences since it was last logged.
   };
   std::map<std::string, Said> said_;
 };

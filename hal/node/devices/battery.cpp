@@ -12,14 +12,14 @@
 namespace hal::node::devices {
 namespace {
 
-/// A battery under a load that it can feed.
+/// Operating point of a battery under a load that it can supply.
 struct Operation {
   double open = 0;      ///< V, without load
   double root = 0;      ///< V: sqrt(open^2 - 4 R P)
   double terminal = 0;  ///< V, at the terminals: open - R I
 };
 
-/// @param squared  V^2: R P, at most open^2 / 4.
+/// @param squared  R P, at most open^2 / 4 [V^2].
 Operation operation(double open, double squared) {
   const double least = 2 * std::sqrt(squared);
   const double root = std::sqrt(std::max(0.0, (open - least) * (open + least)));
@@ -47,16 +47,18 @@ double share_of_log(double x) {
   return sum;
 }
 
+/// A supplied amount of energy.
 struct Drain {
   double joules;
   double watts;
-  double fall;  ///< V, of the voltage without load by these joules
+  double fall;  ///< V, by which this energy lowers the voltage without load
 };
 
-/// s in which a constant load draws so much. With a^2 = R P and the voltage V at the terminals,
-/// U = V + a^2 / V is linear in the energy E, and dE/dt = -P (1 + a^2 / V^2); integrated over V
-/// that is V - 2 a atan(V / a). Written so that nothing cancels as V or R stays nearly the same.
-/// @param squared  V^2: a^2
+/// Time [s] in which a constant load draws an amount of energy. With a^2 = R P and the terminal
+/// voltage V, U = V + a^2 / V is linear in the energy E, and dE/dt = -P (1 + a^2 / V^2).
+/// Integration over V gives the antiderivative V - 2 a atan(V / a). The form used here avoids
+/// cancellation when V hardly changes or R is small.
+/// @param squared  a^2 [V^2]
 double seconds_to_draw(const Drain& drain, const Operation& from, const Operation& to,
                        double squared) {
   const auto [joules, watts, fall] = drain;
@@ -72,7 +74,7 @@ double seconds_to_draw(const Drain& drain, const Operation& from, const Operatio
   return joules / watts * product / (squared + product) * (1 + bend);
 }
 
-/// W out of the charge, by a load that is fed.
+/// Power [W] that a supplied load takes out of the charge, heat included.
 double power_within(double watts, double terminal, double squared) {
   return watts * (1 + squared / (terminal * terminal));
 }
@@ -120,7 +122,8 @@ void Discharge::draw(double watts, Duration over) {
   coulombs_.add(amperes * seconds);
 }
 
-/// J at which the voltage is too low to feed a load; below 0: it never is.
+/// Energy [J] at which the voltage becomes too low to supply the load; negative if that never
+/// happens.
 double Discharge::spare(double watts) const {
   const double least = 2 * std::sqrt(resistance_ * watts);
   if (slope_ > 0) return (least - empty_voltage_) / slope_;
@@ -128,7 +131,7 @@ double Discharge::spare(double watts) const {
   return least > empty_voltage_ ? kEver : -kEver;
 }
 
-/// @return s that are left when the battery cannot feed the load any more.
+/// Supplies a load until the battery no longer can. @return remaining time [s].
 double Discharge::draw_fed(double watts, double seconds) {
   const double able = energy() - std::max(0.0, spare(watts));
   if (!(able > 0)) return seconds;
@@ -137,7 +140,7 @@ double Discharge::draw_fed(double watts, double seconds) {
   const auto seconds_for = [&](double joules, const Operation& to) {
     return seconds_to_draw({joules, watts, slope_ * joules}, from, to, squared);
   };
-  // No load that is fed heats the battery by more than it gets.
+  // Supplying a load loses at most as much as heat as the load receives.
   if (2 * watts * seconds > able) {
     const double all = seconds_for(able, operation(from.open - slope_ * able, squared));
     if (seconds >= all) {
@@ -145,8 +148,8 @@ double Discharge::draw_fed(double watts, double seconds) {
       return seconds - all;
     }
   }
-  // Newton's method: the power grows as the voltage falls, so that this comes from below. Of a step
-  // of 1e-9 the next one would be 1e-18.
+  // Newton's method: the power grows as the voltage falls, so the iteration converges from below,
+  // quadratically: after a step of 1e-9 the next would be 1e-18.
   double joules = std::min(able, seconds * power_within(watts, from.terminal, squared));
   constexpr int kMostSteps = 50;
   constexpr double kLastStep = 1e-9;
@@ -161,8 +164,9 @@ double Discharge::draw_fed(double watts, double seconds) {
   return 0;
 }
 
-/// By a load that takes the most that there is, U^2 / (2 R) with the heat: 1 / U grows evenly.
-/// @return s that are left when it is empty.
+/// Discharges by a load that takes the maximum power, U^2 / (2 R) including the heat: 1 / U grows
+/// linearly with time.
+/// @return remaining time [s] after the battery is empty.
 double Discharge::draw_limited(double seconds) {
   const double joules = energy();
   if (!(joules > 0)) return seconds;
@@ -177,7 +181,7 @@ double Discharge::draw_limited(double seconds) {
   return 0;
 }
 
-/// dQ = dE / U.
+/// The charge is the integral of dQ = dE / U.
 void Discharge::give(double joules) {
   const double open = open_voltage() - slope_ * joules;
   coulombs_.add(joules / open * share_of_log(slope_ * joules / open));

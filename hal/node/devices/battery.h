@@ -10,44 +10,46 @@
 
 namespace hal::node::devices {
 
-/// What a radio draws in each of its states, W, each >= 0.
+/// Power that a radio draws in each of its states, W, each >= 0.
 struct RadioPower {
   double transmit = 0;
-  double receive = 0;  ///< The medium is busy: a frame, or energy, comes in.
+  double receive = 0;  ///< The medium is busy: a frame or other energy is received.
   double listen = 0;   ///< The medium is idle.
   double off = 0;
   bool operator==(const RadioPower&) const = default;
 };
 
-/// What becomes of an agent whose battery is empty.
+/// What happens to an agent whose battery is empty.
 enum class WhenEmpty : std::uint8_t {
-  kStayUp,  ///< Nothing: only the gauge tells.
-  kOff,     ///< Its radio, its motors and its sensors but the gauge go off for good.
+  kStayUp,  ///< Nothing; only the gauge shows it.
+  /// Its radio, motors and sensors, except the gauge, are switched off for the rest of the run.
+  kOff,
 };
 
-/// A battery with its gauge. It feeds the computer, the radio and the motors.
+/// A battery with its gauge. It supplies the computer, the radio and the motors.
 struct Battery {
   static constexpr std::string_view kKind = "battery";
 
-  Mount mount{"battery", {}, 0};  ///< Only its name counts.
+  Mount mount{"battery", {}, 0};  ///< Only its name is used.
   double capacity = 0;            ///< J, > 0, when full
   double charge = 1;              ///< 0 .. 1 at the start, share of the capacity
   double full_voltage = 0;        ///< V, > 0, without load
-  double empty_voltage = 0;       ///< V, > 0, without load; in between it falls with the charge
-  double resistance = 0;          ///< ohm, >= 0, inside
-  double idle_power = 0;          ///< W, >= 0, of the computer and all that is always on
+  /// V, > 0, without load; between full and empty the voltage is linear in the charge
+  double empty_voltage = 0;
+  double resistance = 0;  ///< ohm, >= 0, internal
+  double idle_power = 0;  ///< W, >= 0, of the computer and everything else that is always on
   RadioPower radio;
   WhenEmpty when_empty = WhenEmpty::kStayUp;
 
-  /// Kind "battery": charge 0 .. 1; voltage at the terminals [V]; current drawn [A], as a mean
-  /// since the reading before; energy in the battery now and when it is full [J].
+  /// Kind "battery": charge 0 .. 1; voltage at the terminals [V]; current drawn [A], mean since the
+  /// previous reading; energy in the battery now and when it is full [J].
   Channel describe() const;
 
   bool operator==(const Battery&) const = default;
 };
 
-/// A sum of many terms, exact but for its last bit (A. Neumaier, "Rundungsfehleranalyse einiger
-/// Verfahren zur Summation endlicher Summen", ZAMM, 1974).
+/// A sum of many terms with compensated rounding, exact except for its last bit (A. Neumaier,
+/// "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", ZAMM, 1974).
 class ExactSum {
  public:
   void add(double term);
@@ -55,43 +57,43 @@ class ExactSum {
 
  private:
   double sum_ = 0;
-  double lost_ = 0;  ///< What rounding took from sum_.
+  double lost_ = 0;  ///< Sum of the rounding errors of sum_.
 };
 
-/// Empties a battery: a source of the voltage U(charge) = empty + charge (full - empty) behind the
-/// internal resistance R. A load of the power P draws the current I of
+/// Discharges a battery: a source of the voltage U(charge) = empty + charge (full - empty) behind
+/// the internal resistance R. A load of the power P draws the current I for which
 ///   P = (U - R I) I,  I = (U - sqrt(U^2 - 4 R P)) / (2 R)
-/// and takes U I out of the charge, R I^2 of it as heat (M. Chen, G. A. Rincon-Mora, "Accurate
-/// Electrical Battery Model Capable of Predicting Runtime and I-V Performance", IEEE Transactions
-/// on Energy Conversion, 2006, without its RC elements). More than U^2 / (4 R) it cannot give: then
-/// I = U / (2 R). While the load is constant this has a solution in closed form (docs/models.md 6),
-/// so that the length of the steps changes nothing.
+/// and takes the power U I out of the charge, R I^2 of it as heat (M. Chen, G. A. Rincon-Mora,
+/// "Accurate Electrical Battery Model Capable of Predicting Runtime and I-V Performance", IEEE
+/// Transactions on Energy Conversion, 2006, without its RC elements). The battery cannot supply
+/// more than U^2 / (4 R); a greater load draws I = U / (2 R). For a constant load this has a
+/// closed-form solution (docs/models.md 6), so the step length does not affect the result.
 class Discharge {
  public:
   explicit Discharge(const Battery& battery);
 
-  /// A constant load. An empty battery gives no energy; the load is fed as if it had an empty
-  /// battery's voltage.
+  /// Applies a constant load. An empty battery gives no energy; the charge counted is that of a
+  /// load supplied at the voltage of an empty battery.
   /// @param watts  >= 0  @param over  >= 0
   void draw(double watts, Duration over);
 
-  /// Charge is gone, or has come, by no load: at once, without heat. @param joules  may be
-  /// negative; it gets no fuller than full and no emptier than empty.
+  /// Removes energy, or adds it if `joules` is negative, at once and without heat. The energy stays
+  /// within 0 .. capacity().
   void take(double joules);
 
-  /// s from now on until it is empty under a constant load; none: never. @param watts  >= 0
+  /// Time [s] until the battery is empty under a constant load; nullopt: never. @param watts  >= 0
   std::optional<double> lasts(double watts) const;
 
-  /// What rounding left is drawn.
+  /// Draws the remainder that rounding left, so that the battery is exactly empty.
   void finish();
 
   double charge() const { return energy() / capacity_; }  ///< 0 .. 1
-  double energy() const;                                  ///< J that are in it
+  double energy() const;                                  ///< J stored now
   double capacity() const { return capacity_; }           ///< J, when full
-  double drawn() const { return drawn_.value(); }         ///< J for loads so far, with the heat
-  double coulombs() const { return coulombs_.value(); }   ///< A s through the loads so far
-  double open_voltage() const;                            ///< V, without load
-  double resistance() const { return resistance_; }       ///< ohm
+  double drawn() const { return drawn_.value(); }        ///< J drawn by loads so far, heat included
+  double coulombs() const { return coulombs_.value(); }  ///< A s delivered to loads so far
+  double open_voltage() const;                           ///< V, without load
+  double resistance() const { return resistance_; }      ///< ohm
 
  private:
   double spare(double watts) const;
@@ -101,9 +103,9 @@ class Discharge {
 
   double capacity_;       ///< J
   double empty_voltage_;  ///< V
-  double slope_;          ///< V per J that are in it
+  double slope_;          ///< V per stored J
   double resistance_;     ///< ohm
-  double stored_;         ///< J that were in it at the start, less those taken
+  double stored_;         ///< J stored at the start, adjusted by take()
   ExactSum drawn_;        ///< J
   ExactSum coulombs_;     ///< A s
 };

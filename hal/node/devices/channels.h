@@ -11,20 +11,21 @@
 
 namespace hal::node::devices {
 
-/// The catalogue of channels: what simulated and real agents offer under one number, name, kind and
-/// unit, and the coding of their values.
+/// Catalogue of channels: number, name, kind, unit and encoding of the values, common to simulated
+/// and real agents.
 
 inline constexpr std::uint16_t kLocalisation = 0;
-inline constexpr std::uint16_t kOdometry = 1;       ///< Robots only, as
-inline constexpr std::uint16_t kInfrared = 2;       ///< are these, if they have such sensors.
-inline constexpr std::uint16_t kInfraredVolts = 3;  ///< As the converter saw it.
-inline constexpr std::uint16_t kFirstSensor =
-    0x10;  ///< Of those in `sensors:`, in its order; robots and motes.
+inline constexpr std::uint16_t kOdometry = 1;  ///< Only robots.
+inline constexpr std::uint16_t kInfrared = 2;  ///< Only robots with infrared sensors.
+/// As measured by the converter; only robots with infrared sensors.
+inline constexpr std::uint16_t kInfraredVolts = 3;
+/// Of the first channel of `sensors:`; the others follow in the file's order. Robots and motes.
+inline constexpr std::uint16_t kFirstSensor = 0x10;
 
 Channel localisation_channel();
 Channel odometry_channel();
 
-/// Ranges, and the volts that they were made from. @param period  between two measurements.
+/// Ranges, and the voltages from which they were computed. @param period  between two measurements.
 std::array<Channel, 2> infrared_channels(const std::vector<InfraredSensor>& sensors,
                                          Duration period);
 

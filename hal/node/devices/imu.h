@@ -13,10 +13,10 @@ struct ImuSensor {
 
   Mount mount{"imu", {}, 0};
   double gyro_sigma = 0;           ///< rad/s, >= 0, standard deviation of each rate
-  double accelerometer_sigma = 0;  ///< m/s^2, >= 0, of each acceleration
+  double accelerometer_sigma = 0;  ///< m/s^2, >= 0, standard deviation of each acceleration
 
   /// Kind "imu": angular velocity x, y, z [rad/s], then specific force x, y, z [m/s^2] as a mean
-  /// since the reading before; at rest that is gravity's reaction, upwards.
+  /// since the previous reading; at rest it equals gravity and points upwards.
   Channel describe() const;
 
   bool operator==(const ImuSensor&) const = default;

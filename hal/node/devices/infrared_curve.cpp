@@ -11,7 +11,7 @@
 namespace hal::node::devices {
 namespace {
 
-/// Volts per count of the 10 bit, 5 V converter that the makers' formulas speak of.
+/// Volts per count of the 10-bit, 5 V converter to which the manufacturers' formulas refer.
 constexpr double kVoltsPerCount = 5.0 / 1023.0;
 
 void check_table(const std::vector<CurvePoint>& points) {

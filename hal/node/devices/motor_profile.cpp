@@ -8,7 +8,7 @@
 namespace hal::node::devices {
 namespace {
 
-/// One step of `now` towards `target`, at rate `down` while the length shrinks, then at `up`.
+/// One step of `now` towards `target`: at the rate `down` while the magnitude decreases, then `up`.
 Vec2 approach(Vec2 now, Vec2 target, double up, double down, double seconds) {
   const Vec2 change = target - now;
   const double distance = std::sqrt(dot(change, change));

@@ -6,17 +6,18 @@
 
 namespace hal::node::devices {
 
-/// Lets the velocity asked of the motors approach a command within the acceleration limits.
+/// Limits the acceleration with which the motors' velocity approaches a command.
 ///
-/// The linear velocity moves on a straight line from the old to the commanded vector: at the
-/// braking limit while its length shrinks, then at the speeding-up limit. The rotation does the
-/// same in one dimension. Else a step reversal yaws a three-wheeled base (docs/models.md, 1).
+/// The linear velocity moves on a straight line from the old vector to the commanded one: at the
+/// braking limit while its magnitude decreases, then at the speeding-up limit. The rotation does
+/// the same in one dimension. Otherwise a step reversal would make a three-wheeled base yaw
+/// (docs/models.md, 1).
 class MotorProfile {
  public:
   explicit MotorProfile(const AccelerationLimits& limits) : limits_(limits) {}
 
   /// @param target  commanded velocity, body frame. @param step  > 0.
-  /// @return the velocity to ask of the motors from now on.
+  /// @return the velocity to request from the motors from now on.
   Twist2 advance(const Twist2& target, Duration step);
 
   const Twist2& velocity() const { return velocity_; }

@@ -6,11 +6,11 @@
 
 namespace hal::node::devices {
 
-/// A sensor's name and where it sits on the body.
+/// A sensor's name and its pose on the body.
 struct Mount {
-  std::string name;    ///< Of its channel and of its frame.
+  std::string name;    ///< Name of its channel and of its frame.
   Vec3 position;       ///< m, body frame
-  double heading = 0;  ///< rad, of its x axis about z of the body frame
+  double heading = 0;  ///< rad, of its x axis, about z of the body frame
   bool operator==(const Mount&) const = default;
 };
 

@@ -31,7 +31,7 @@ void WheelOdometry::update(std::span<const double> wheel_angles, Duration elapse
   const double seconds = to_seconds(elapsed);
   twist_ = {moved.vx / seconds, moved.vy / seconds, moved.omega / seconds};
 
-  // On an arc of angle w the chord is the path times sin(w/2)/(w/2), turned by w/2.
+  // On an arc of angle w the chord is the path length times sin(w/2)/(w/2), turned by w/2.
   const double half = 0.5 * moved.omega;
   const double shrink = std::abs(half) < 1e-9 ? 1.0 : math::sin(half) / half;
   const double c = shrink * math::cos(pose_.theta + half);

@@ -9,16 +9,16 @@
 
 namespace hal::node::devices {
 
-/// Dead reckoning: integrates wheel angles to a pose in the frame the body had at the start.
-/// Between two updates the body is taken to move on an arc, exact for constant wheel speeds.
+/// Dead reckoning: integrates wheel angles to a pose in the frame of the body at the start. The
+/// motion between two updates is assumed to be an arc, which is exact for constant wheel speeds.
 class WheelOdometry {
  public:
   /// @param encoder_steps  per turn of a wheel; 0: continuous angles.
-  /// Wheel angles start at 0; a real encoder that starts elsewhere calls restart() first.
+  /// Wheel angles start at 0; for a real encoder that starts elsewhere call restart() first.
   explicit WheelOdometry(const WheelDrive& drive, int encoder_steps = 0);
 
-  /// Takes the present wheel angles [rad] as the start: pose 0, twist 0. @pre one per driven
-  /// wheel.
+  /// Takes the present wheel angles [rad] as the start: zero pose and twist. @pre one angle per
+  /// driven wheel.
   void restart(std::span<const double> wheel_angles);
 
   /// @param wheel_angles  rad since power-up, not wrapped, one per driven wheel.

@@ -12,7 +12,7 @@
 
 namespace hal::node::devices {
 
-/// What a robot file describes: a new robot on wheels needs a file, no C++. Body frame: origin on
+/// The contents of a robot file: a new wheeled robot needs a file but no C++. Body frame: origin on
 /// the ground below the middle of the wheels, x forward, y left, z up. SI units.
 
 /// Upright cylinder fixed to the body, solid and homogeneous.
@@ -34,7 +34,7 @@ struct BodyBox {
   bool operator==(const BodyBox&) const = default;
 };
 
-/// How fast the motor controller lets a velocity command grow and shrink; each > 0.
+/// Limits at which the motor controller lets a velocity command grow and decrease; each > 0.
 struct AccelerationLimits {
   double linear_up = 0.8;      ///< m/s^2
   double linear_down = 1.5;    ///< m/s^2
@@ -43,14 +43,14 @@ struct AccelerationLimits {
   bool operator==(const AccelerationLimits&) const = default;
 };
 
-/// Infrared ranger that looks along a horizontal sector.
+/// Infrared ranger with a horizontal sector as its field of view.
 struct InfraredSensor {
   Vec3 position;          ///< m, of the emitter
   double heading = 0;     ///< rad
   double half_angle = 0;  ///< rad, 0 .. pi/2 exclusive
   InfraredCurve curve = InfraredCurve::gp2d12();
   double noise_sigma = 0;  ///< V, >= 0, standard deviation of the output
-  Duration hold_period{};  ///< between two measurements of the sensor; 0: measures when asked
+  Duration hold_period{};  ///< Time between two measurements; 0: measures when asked
   Converter converter;
   bool operator==(const InfraredSensor&) const = default;
 };
@@ -58,22 +58,23 @@ struct InfraredSensor {
 /// Level of detail of simulated wheels. Real robots ignore it.
 enum class WheelLevel : std::uint8_t {
   kJointed,  ///< Each wheel is a body on a hinge with a motor.
-  /// The wheels are part of the body; their surfaces move where they touch the ground. Some 3.5
-  /// times faster; omits the inertia of the turning wheels.
+  /// The wheels are part of the body; their surfaces move where they touch the ground. About 3.5
+  /// times faster; neglects the inertia of the turning wheels.
   kContact,
 };
 
 struct RobotDescription {
   std::string model;
-  std::vector<BodyCylinder> cylinders;  ///< With boxes at least one body part.
+  /// At least one cylinder or box.
+  std::vector<BodyCylinder> cylinders;
   std::vector<BodyBox> boxes;
   double friction = 0.3;      ///< Of the body against walls, motes, robots; >= 0.
-  std::vector<Wheel> wheels;  ///< >= 3, casters included; they make a WheelDrive.
+  std::vector<Wheel> wheels;  ///< >= 3, casters included; see WheelDrive.
   WheelLevel wheel_level = WheelLevel::kJointed;
   AccelerationLimits acceleration;
   int encoder_steps = 0;  ///< Per turn of a wheel; 0: continuous.
   std::vector<InfraredSensor> infrared;
-  std::vector<SensorDescription> sensors;  ///< All others; names differ.
+  std::vector<SensorDescription> sensors;  ///< All other sensors; names differ.
   bool operator==(const RobotDescription&) const = default;
 };
 

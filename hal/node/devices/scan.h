@@ -14,15 +14,16 @@ struct ScanSensor {
   static constexpr std::string_view kKind = "scan";
 
   Mount mount{"scan", {}, 0};
-  double field = 0;        ///< rad, > 0, at most a full turn; its middle is the mount's heading.
+  /// rad, > 0, at most a full turn; its centre is the mount's heading.
+  double field = 0;
   int rays = 0;            ///< >= 1
-  double min_range = 0;    ///< m, >= 0; what is nearer reads -infinity.
-  double max_range = 0;    ///< m, > min_range; what is farther reads NaN.
+  double min_range = 0;    ///< m, >= 0; nearer surfaces read -infinity.
+  double max_range = 0;    ///< m, > min_range; farther surfaces read NaN.
   double noise_sigma = 0;  ///< m, >= 0, standard deviation of a range
-  Duration period{};       ///< between two scans; 0: it measures when asked.
+  Duration period{};       ///< Time between two scans; 0: it measures when asked.
 
-  /// rad in the sensor's frame, ascending. They include both ends of the field, or with a full turn
-  /// the first one only: the last would be the same ray.
+  /// Headings in the sensor's frame, rad, ascending. They include both ends of the field; for a
+  /// full turn only the first end, because both are the same ray.
   std::vector<double> headings() const;
 
   /// Kind "scan", m: one range per ray, at its heading in the channel's frame.

@@ -8,8 +8,8 @@
 
 namespace hal::node::devices {
 
-/// One sensor of an agent, simulated or real: a channel, and its values when they are asked for.
-/// One thread at a time.
+/// One sensor of an agent, simulated or real: a channel and its values on request. One thread at a
+/// time.
 class Sensor {
  public:
   Sensor() = default;
@@ -17,11 +17,11 @@ class Sensor {
   Sensor& operator=(const Sensor&) = delete;
   virtual ~Sensor() = default;
 
-  /// The channel; the `id` of one of `sensors:` is the agent's business and 0 here.
+  /// The channel. The agent assigns the `id` of channels of `sensors:`; here it is 0.
   virtual Channel describe() const = 0;
 
-  /// The values of the channel that are new at a time, in its order; none: those of the last call
-  /// still hold. @param at  not before that of the last call.
+  /// The values of the channel, in its order, if they are new at this time; nullopt: those of the
+  /// previous call still hold. @param at  not before that of the previous call.
   virtual std::optional<std::vector<double>> sample(Time at) = 0;
 };
 

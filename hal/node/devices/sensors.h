@@ -13,9 +13,9 @@
 
 namespace hal::node::devices {
 
-/// Every kind of sensor that `sensors:` of a robot file may list. Each names itself in `kKind` and
-/// describes its channel; it is read and written in hal/files/description and simulated in
-/// sim/sensing.
+/// Every kind of sensor that `sensors:` of a robot file may list. Each type gives its name in
+/// `kKind` and describes its channel; hal/files/description reads and writes it, and sim/sensing
+/// simulates it.
 using SensorDescription = std::variant<ScanSensor, PoseSensor, Bumper, ImuSensor, Battery, Sonar>;
 
 inline Channel channel_of(const SensorDescription& sensor) {
@@ -26,7 +26,7 @@ inline const Mount& mount_of(const SensorDescription& sensor) {
   return std::visit([](const auto& one) -> const Mount& { return one.mount; }, sensor);
 }
 
-/// The battery among the sensors; null: the agent has none, and never runs out of energy.
+/// The battery among the sensors; null: the agent has none and never runs out of energy.
 inline const Battery* battery_of(const std::vector<SensorDescription>& sensors) {
   for (const SensorDescription& sensor : sensors)
     if (const auto* battery = std::get_if<Battery>(&sensor)) return battery;

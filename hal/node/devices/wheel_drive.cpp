@@ -16,12 +16,12 @@ namespace {
 
 using Row = WheelDrive::Row;
 
-/// Below it (m, and rad by the metre) a direction is rounding: files give angles in degrees.
+/// A direction shorter than this (m, and rad per metre) is rounding: files give angles in degrees.
 constexpr double kNothing = 1e-9;
 
-/// A motion or what is asked of one: (vx, vy, omega).
+/// A motion, or a constraint on one: (vx, vy, omega).
 using Vector = Eigen::RowVector3d;
-/// By rows, which Eigen then sums from the left, as dot() does.
+/// Row-major: Eigen then sums from the left, as dot() does.
 using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -38,13 +38,13 @@ Vector row_of(const Wheel& wheel) {
          radius;
 }
 
-/// What is left of a row without its shares in orthogonal unit rows.
+/// The rest of a row without its components along orthogonal unit rows.
 Vector without(Vector row, const std::vector<Vector>& units) {
   for (const Vector& unit : units) row -= row.dot(unit) * unit;
   return row;
 }
 
-/// Orthogonal unit rows that span what the fixed wheels rule out (Gram and Schmidt).
+/// Orthogonal unit rows that span the motions ruled out by the fixed wheels (Gram-Schmidt).
 std::vector<Vector> constraints(const std::vector<Wheel>& wheels) {
   std::vector<Vector> units;
   for (const Wheel& wheel : wheels) {
@@ -58,7 +58,7 @@ std::vector<Vector> constraints(const std::vector<Wheel>& wheels) {
   return units;
 }
 
-/// Inverse of a symmetric matrix, from its cofactors. @throws if it is singular.
+/// Inverse of a symmetric matrix from its cofactors. @throws std::invalid_argument  it is singular.
 Matrix invert(const Matrix& m) {
   const double determinant = m.determinant();
   // For a singular matrix rounding leaves about 1e-16 of the diagonal's product.
@@ -66,19 +66,21 @@ Matrix invert(const Matrix& m) {
     throw std::invalid_argument("wheels: the axles leave a direction of the body undriven");
   Matrix cofactors;
   cofactors << m.row(1).cross(m.row(2)), m.row(2).cross(m.row(0)), m.row(0).cross(m.row(1));
-  // Divided: inverse() multiplies by 1 / determinant, which is another last bit of a wheel's speed.
+  // Division, because inverse() multiplies by 1 / determinant, which changes the last bit of
+  // speeds.
   return cofactors / determinant;
 }
 
-/// Pseudo-inverse of the rows among the feasible motions: with P the projection on them and Q that
-/// on what is ruled out, (P J^T J P + s^2 Q)^-1 P J^T. The term in Q only makes it invertible.
+/// Pseudo-inverse of the rows within the feasible motions: with the projections P onto them and Q
+/// onto the motions ruled out, (P J^T J P + s^2 Q)^-1 P J^T. The term in Q only makes it
+/// invertible.
 std::vector<Row> pseudo_inverse(const std::vector<Vector>& rows,
                                 const std::vector<Vector>& ruled_out) {
   std::vector<Vector> feasible;
   feasible.reserve(rows.size());
   for (const Vector& row : rows) feasible.push_back(without(row, ruled_out));
   std::vector<Vector> all = feasible;
-  const double scale = rows.front().norm();  // of the same magnitude
+  const double scale = rows.front().norm();  // gives Q the magnitude of the other rows
   for (const Vector& unit : ruled_out) all.emplace_back(scale * unit);
   Matrix normal = Matrix::Zero();  // of the normal equations
   for (const Vector& row : all) normal += row.transpose() * row;

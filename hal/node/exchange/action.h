@@ -13,7 +13,7 @@
 
 namespace hal::node::exchange {
 
-// What a controller can do, one struct for each kind.
+// The actions of a controller, one struct for each kind.
 
 struct DriveBody {
   Twist2 twist;  ///< Body frame. m/s, rad/s
@@ -21,7 +21,7 @@ struct DriveBody {
 };
 
 struct DriveWheels {
-  std::vector<double> speeds;  ///< By wheel. rad/s
+  std::vector<double> speeds;  ///< One per driven wheel. rad/s
   bool operator==(const DriveWheels&) const = default;
 };
 
@@ -33,7 +33,7 @@ struct Send {
   bool operator==(const Send&) const = default;
 };
 
-/// The agent is to forget its routes of a topic to a destination.
+/// The agent must forget its routes of a topic to a destination.
 struct Invalidate {
   AgentId destination;
   std::string topic;
@@ -62,7 +62,7 @@ struct Log {
   bool operator==(const Log&) const = default;
 };
 
-/// The controller threw; nothing of this agent follows.
+/// The controller threw an exception; no further action of this agent follows.
 struct ControllerFailed {
   std::string text;
   bool operator==(const ControllerFailed&) const = default;
@@ -71,18 +71,18 @@ struct ControllerFailed {
 struct Record {
   std::string name;
   double value = 0;
-  Time at{};  ///< Of the event, when it was true.
+  Time at{};  ///< Time of the event, when the value was measured.
   bool operator==(const Record&) const = default;
 };
 
-/// Everything a controller does leaves in one of these.
+/// An action of a controller.
 struct Action {
-  /// In this order, as fingerprints have the index.
+  /// In this order: fingerprints contain the index.
   using What = std::variant<DriveBody, DriveWheels, Send, Invalidate, SetTimer, SetRadio, SetState,
                             Log, ControllerFailed, Record>;
 
   AgentId agent{};
-  std::uint32_t event = 0;  ///< Index into Step::events of the event it answers.
+  std::uint32_t event = 0;  ///< Index into Step::events of the event that caused it.
   What what = Log{};
   bool operator==(const Action&) const = default;
 };
@@ -92,7 +92,7 @@ inline bool drives(const Action& action) {
          std::holds_alternative<DriveWheels>(action.what);
 }
 
-/// Words change nothing in the world: they count also when the agent is over.
+/// Actions that do not affect the world; they take effect even when the agent is over.
 inline bool is_word(const Action& action) {
   return std::holds_alternative<SetState>(action.what) ||
          std::holds_alternative<Log>(action.what) || std::holds_alternative<Record>(action.what);

@@ -11,7 +11,7 @@
 
 namespace hal::node::exchange {
 
-/// One value per agent, found by address in constant time; visited by address.
+/// One value per agent: look-up by address in constant time, iteration in the order of addresses.
 ///
 ///   AgentTable<State> states;
 ///   states[agent] = …;
@@ -21,7 +21,7 @@ class AgentTable {
  public:
   using Entry = std::pair<AgentId, T>;
 
-  /// Adds an empty value if there is none: cheap for an address above all others.
+  /// Adds an empty value if there is none; cheap if the address is above all others.
   T& operator[](AgentId agent) {
     if (T* found = find(agent)) return *found;
     if (agent.value >= index_.size()) index_.resize(agent.value + 1u, kNone);
@@ -31,7 +31,7 @@ class AgentTable {
     return entries_.insert(place, Entry{agent, T{}})->second;
   }
 
-  /// Null: there is none. Good until the next one is added.
+  /// Null if there is none. Valid until the next agent is added.
   T* find(AgentId agent) {
     return contains(agent) ? &entries_[index_[agent.value]].second : nullptr;
   }
@@ -39,7 +39,7 @@ class AgentTable {
     return contains(agent) ? &entries_[index_[agent.value]].second : nullptr;
   }
 
-  /// @pre there is one.
+  /// @pre contains(agent).
   T& at(AgentId agent) {
     T* found = find(agent);
     BARAKA_CHECK(found != nullptr);
@@ -64,8 +64,8 @@ class AgentTable {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  std::vector<Entry> entries_;        ///< By address.
-  std::vector<std::uint32_t> index_;  ///< In entries_, by address.
+  std::vector<Entry> entries_;        ///< Sorted by address.
+  std::vector<std::uint32_t> index_;  ///< Address to index in entries_.
 };
 
 }  // namespace hal::node::exchange

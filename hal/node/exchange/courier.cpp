@@ -28,8 +28,8 @@ void absorb(Event earlier, Event& later) {
                           later.readings.end();
     if (!is_newer) later.readings.push_back(std::move(reading));
   }
-  // The last word on a route is all that counts: what waits for a halted controller must not grow
-  // for as long as it is halted.
+  // Only the latest change of a route counts: the changes that wait for a halted controller must
+  // not accumulate.
   std::erase_if(earlier.routes, [&later](const RouteChange& change) {
     return std::ranges::any_of(later.routes, [&change](const RouteChange& newer) {
       return is_same_entry(newer.route, change.route);
@@ -38,7 +38,7 @@ void absorb(Event earlier, Event& later) {
   earlier.routes.insert(earlier.routes.end(), std::make_move_iterator(later.routes.begin()),
                         std::make_move_iterator(later.routes.end()));
   later.routes = std::move(earlier.routes);
-  // A receiver takes in the neighbours of an event, then the lost ones.
+  // A receiver processes the neighbours of an event before its lost neighbours.
   for (const AgentId lost : earlier.lost_neighbours) {
     if (!contains(later.neighbours, lost) && !contains(later.lost_neighbours, lost)) {
       later.lost_neighbours.push_back(lost);
@@ -75,9 +75,9 @@ void Courier::supersede_cycle(const Event& control) {
   Event superseded = std::move(**old);
   waiting_.erase(*old);
   const auto next = places.erase(old);
-  // Its changes stay in their order: they go to the next event of the agent that waits, …
+  // The changes keep their order: they move to the agent's next waiting event, …
   if (next != places.end()) return absorb(std::move(superseded), **next);
-  // … or to the one that is about to.
+  // … or to the next event that will be posted.
   const auto carried = carried_.find(control.agent);
   if (carried != carried_.end()) {
     absorb(std::move(superseded), carried->second);
@@ -152,7 +152,7 @@ void Courier::take_in(Reply reply, Turn& turn) {
   std::ranges::sort(turn.answered);
   turn.answered.erase(std::unique(turn.answered.begin(), turn.answered.end()), turn.answered.end());
   for (Action& action : reply.actions) {
-    BARAKA_CHECK(action.event < step_.events.size());  // for the port to see to
+    BARAKA_CHECK(action.event < step_.events.size());  // the port guarantees it
     const Time event_time = step_.events[action.event].time;
     turn.answers.push_back({std::move(action), event_time});
   }

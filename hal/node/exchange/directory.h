@@ -9,14 +9,14 @@
 
 namespace hal::node::exchange {
 
-/// Who is who: agents by address and by name, each in logarithmic time. Thread-safe.
+/// Agents by address and by name, each found in logarithmic time. Thread-safe.
 class Directory {
  public:
-  /// @param agents  in any order. Of several with the same address, or name, one is found.
+  /// @param agents  in any order. If several have the same address or name, one of them is found.
   explicit Directory(std::vector<AgentName> agents = {});
 
   std::optional<AgentId> address_of(std::string_view name) const;
-  /// Valid as long as the directory lives.
+  /// Valid for the life of the directory.
   std::optional<std::string_view> name_of(AgentId agent) const;
 
  private:

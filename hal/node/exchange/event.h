@@ -12,7 +12,7 @@
 
 namespace hal::node::exchange {
 
-/// Why an event happens, in the order in which an agent's events of one instant are handed over.
+/// Cause of an event, in the order in which an agent's events at the same time are delivered.
 enum class Cause : std::uint8_t {
   kStart,
   kMessage,
@@ -23,16 +23,16 @@ enum class Cause : std::uint8_t {
   kStop,
 };
 
-/// New values of a channel. Channels that did not change are held by the receiver.
+/// New values of a channel. The receiver keeps the values of channels that did not change.
 struct Reading {
   std::uint16_t channel = 0;
   std::vector<double> values;
-  /// There are none: the device has fallen silent, what was held is too old. On hardware only.
+  /// No values: the device has stopped answering and the values held are too old. On hardware only.
   bool lost = false;
   bool operator==(const Reading&) const = default;
 };
 
-// What can happen, one struct for each cause.
+// The events, one struct for each cause.
 
 /// The first event of a controller.
 struct Start {
@@ -49,14 +49,14 @@ struct TimerDue {
   bool operator==(const TimerDue&) const = default;
 };
 
-/// What became of a message.
+/// The result of a message.
 struct Notice {
   MessageId message = 0;  ///< As its sender numbered it.
   Fate fate = Fate::kHandedOver;
   bool operator==(const Notice&) const = default;
 };
 
-/// Only the network changed; no callback.
+/// Only the network changed; no callback is called.
 struct LinkChanged {
   bool operator==(const LinkChanged&) const = default;
 };
@@ -71,7 +71,7 @@ struct Stop {
   bool operator==(const Stop&) const = default;
 };
 
-/// Everything a controller can know arrives in one of these.
+/// An event for a controller, with all changes since the previous one.
 struct Event {
   /// In the order of Cause.
   using What = std::variant<Start, MessageArrived, TimerDue, Notice, LinkChanged, ControlDue, Stop>;
@@ -81,7 +81,7 @@ struct Event {
   What what;
   std::vector<Reading> readings;      ///< Changes since the agent's previous event.
   std::vector<RouteChange> routes;    ///< Changes since the agent's previous event.
-  std::vector<Neighbour> neighbours;  ///< Changed ones, if the controller asked.
+  std::vector<Neighbour> neighbours;  ///< Changed ones, if the controller subscribes.
   std::vector<AgentId> lost_neighbours;
 
   Cause cause() const { return static_cast<Cause>(what.index()); }

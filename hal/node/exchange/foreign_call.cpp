@@ -10,7 +10,7 @@ namespace {
 std::atomic<ForeignCall*> current{nullptr};
 constinit thread_local const ForeignCall* of_this_thread = nullptr;
 
-/// Stands in `current` for a call that was seized. Never called through.
+/// Marks `current` while a call is seized. It is never dereferenced.
 ForeignCall* seized() {
   static char place;
   return reinterpret_cast<ForeignCall*>(&place);
@@ -35,7 +35,7 @@ ForeignCall::~ForeignCall() {
 std::optional<SeizedCall> seize_call() {
   ForeignCall* call = current.load();
   if (call == nullptr || call == seized()) return std::nullopt;
-  // If this succeeds, the destructor will not: the call lives.
+  // If this succeeds, the call's destructor will not return, so the call stays alive.
   if (!current.compare_exchange_strong(call, seized())) return std::nullopt;
   return SeizedCall{call->who(), call->what(), call->at()};
 }

@@ -7,19 +7,19 @@
 
 namespace hal::node::exchange {
 
-/// While this lives, its thread is not the host's own: a controller's callback runs on it, or it
-/// waits for the answer of a controller's process. Either may never come back; then another thread
-/// can seize the call and bring things to an end.
+/// While it exists, its thread runs foreign code: a controller's callback, or a wait for the answer
+/// of a controller's process. Neither may ever return; then another thread can seize the call and
+/// end the run.
 ///
 ///   none ──constructor──▶ under way ──destructor──▶ none
 ///                             │
 ///                             └─seize_call()─▶ seized: the destructor does not return
 ///
-/// One at a time in a process; of several, the one that began last is the one that can be seized.
+/// There is one call at a time in a process; if several overlap, the latest can be seized.
 class ForeignCall {
  public:
-  /// @param who   "controller of r0", "process 'robots'"; outlives this.  @param what  "step()",
-  /// "answer"; of static life.   @param at  time of the event.
+  /// @param who   "controller of r0", "process 'robots'"; outlives this.
+  /// @param what  "step()", "answer"; of static storage duration.   @param at  time of the event.
   ForeignCall(std::string_view who, std::string_view what, Time at);
   ~ForeignCall();
   ForeignCall(const ForeignCall&) = delete;
@@ -34,20 +34,20 @@ class ForeignCall {
   Time at_;
 };
 
-/// A call that was seized. The texts are the call's own, which stays.
+/// A call that was seized. The texts are those of the call, which is never destroyed.
 struct SeizedCall {
   std::string_view who;
   std::string_view what;
   Time at{};
 };
 
-/// The call that the calling thread is in, of several the one that began last; null: none.
+/// The call that the calling thread is in, the latest if there are several; null: none.
 /// Async-signal-safe.
 const ForeignCall* call_of_this_thread();
 
-/// Takes the call under way from its thread, which will stand still at the end of it: what that
-/// thread could touch belongs to the caller now, for the rest of the process. None: no call is
-/// under way. Any thread, also that of the call.
+/// Takes the call under way from its thread, which will block at the end of the call: from now on
+/// the caller owns everything that thread could touch, for the rest of the process. Nullopt: no
+/// call is under way. Any thread, also that of the call.
 std::optional<SeizedCall> seize_call();
 
 }  // namespace hal::node::exchange

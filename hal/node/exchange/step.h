@@ -10,12 +10,12 @@
 
 namespace hal::node::exchange {
 
-/// Work for one process: all events of one round, or of one lookahead window.
+/// Events for one process: all of one round, or of one lookahead window.
 struct Step {
   std::string server;
   std::uint64_t run = 0;
   std::uint64_t sequence = 0;  ///< 1, 2, 3, … per process.
-  Time until{};                ///< No later event will be before this time.
+  Time until{};                ///< No event in a later Step is before this time.
   std::vector<Event> events;   ///< By (time, agent, cause, arrival).
   bool operator==(const Step&) const = default;
 };

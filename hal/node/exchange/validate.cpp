@@ -30,7 +30,7 @@ std::string mistake_in_wheel_speeds(std::span<const double> speeds, const DriveL
     return fmt::format("speeds has {} values, the robot has {} wheels", speeds.size(), wheels);
   }
   for (std::size_t i = 0; i < wheels; ++i) {
-    // Written so that NaN, which compares false with everything, is caught too.
+    // Written so that NaN, which compares false with everything, is rejected.
     if (std::abs(speeds[i]) <= limits.wheel_speed) continue;
     return fmt::format("speeds[{}] is {} rad/s, the limit is {} rad/s", i, speeds[i],
                        limits.wheel_speed);
@@ -38,7 +38,7 @@ std::string mistake_in_wheel_speeds(std::span<const double> speeds, const DriveL
   return {};
 }
 
-/// @param field  "topic"
+/// Checks a name. @param field  name of the field for the message, e.g. "topic".
 std::string mistake_in_name(const char* field, std::string_view name, std::size_t longest) {
   if (name.find('\0') != std::string_view::npos) return fmt::format("{} has a zero byte", field);
   if (!name.empty() && name.size() <= longest) return {};

@@ -18,7 +18,7 @@ struct RouterPorts;
 struct RouterStreams;
 struct RoutingConfig;
 
-/// A frame of routing as one node transmits it to another, or to all (kEveryone).
+/// A frame of routing as transmitted by one node to another, or to all (kEveryone).
 struct SentFrame {
   AgentId from, to;
   std::span<const std::uint8_t> bytes;
@@ -31,8 +31,9 @@ struct FrameName {
     MessageId id = 0;
     bool operator==(const MessageName&) const = default;
   };
-  std::string_view kind;                 ///< "data", "RREQ", "hello", …; "": not the protocol's.
-  std::optional<MessageName> message{};  ///< Which it carries for agents.
+  /// "data", "RREQ", "hello", …; "": not a frame of the protocol.
+  std::string_view kind;
+  std::optional<MessageName> message{};  ///< The application message that it carries.
 };
 
 /// Description of a routing protocol, defined beside its Protocol.
@@ -43,15 +44,15 @@ struct ProtocolKind {
   using NameFrame = FrameName (*)(const SentFrame& frame);
   using Weigh = std::optional<double> (*)(const RoutingConfig& config, const Route& route);
 
-  std::string_view name;  ///< In files and records.
-  Make make;              ///< The end of one node. @pre as make_protocol()
-  NameFrame name_frame;   ///< Of its nodes' frames.
+  std::string_view name;  ///< As used in files and records.
+  Make make;              ///< Makes the protocol of one node. @pre as make_protocol()
+  NameFrame name_frame;   ///< Names a frame that one of its nodes transmitted.
   /// Weight of a route: a message takes it with the probability weight / sum of the weights of all
-  /// routes of its topic and destination. None: the protocol chooses by another rule.
+  /// routes of its topic and destination. nullopt: the protocol does not choose by weights.
   Weigh weigh;
-  /// Events that its nodes can count, besides a lost neighbour and, over a link without transmit
-  /// status, a hello. Counts of these are 0 if they did not occur; counts of others do not exist.
-  /// Empty: nodes only pass messages to the link.
+  /// Events that its nodes count, in addition to lost neighbours and, over a link without transmit
+  /// status, hellos. Events in this list that did not occur are counted as 0; for all others there
+  /// is no count. Empty: nodes only pass messages to the link.
   std::span<const ProtocolEvent> events{};
 };
 

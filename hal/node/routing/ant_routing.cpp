@@ -20,7 +20,7 @@ bool choice_is_valid(const RouteChoice& choice) {
          std::ranges::any_of(kPathStatistics, [&](auto s) { return weight(s) > 0; });
 }
 
-/// Of what ants need besides the layer below.
+/// Checks the parameters of ants, not those of the layer below.
 bool ants_are_valid(const RoutingConfig& config) {
   const auto is_good = [](const auto& entry) { return choice_is_valid(entry.second); };
   return choice_is_valid(config.choice) && std::ranges::all_of(config.classes, is_good) &&
@@ -92,7 +92,7 @@ bool AntRouting::take(Data data, const Arrival& arrival) {
   return true;
 }
 
-/// Of another protocol: not for this node.
+/// A control packet of another protocol is ignored.
 bool AntRouting::take(const Control&, const Arrival&) { return true; }
 
 constexpr std::array kAntEvents{

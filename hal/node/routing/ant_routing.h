@@ -7,10 +7,11 @@
 
 namespace hal::node::routing {
 
-/// Ant routing of one node: routes are found on demand by ants that flood out and walk back, kept
-/// per message class with every next hop that leads to the destination, and data picks among them
-/// at random (Labella, Dietrich, Dressler, "Hybrid simulation of Sensor and Actor Networks with
-/// BARAKA", 2009, section 6.1; after Di Caro, Ducatelle, Gambardella, "AntHocNet", 2005).
+/// Ant routing of one node. Forward ants are flooded to find routes on demand, and backward ants
+/// return along their paths. For each message class a node keeps every next hop that leads to a
+/// destination, and data packets choose among them at random (Labella, Dietrich, Dressler, "Hybrid
+/// simulation of Sensor and Actor Networks with BARAKA", 2009, section 6.1; after Di Caro,
+/// Ducatelle, Gambardella, "AntHocNet", 2005).
 class AntRouting final : public Protocol, private HopListener {
  public:
   AntRouting(AgentId self, const RoutingConfig& config, const RouterStreams& streams,

@@ -10,7 +10,7 @@
 namespace hal::node::routing {
 namespace {
 
-/// Of what is needed besides the layer below.
+/// Checks all parameters except those of the layer below.
 bool is_valid_for_anthocnet(const RoutingConfig& config) {
   return is_valid(config.anthocnet) && config.retry_period > Duration::zero() &&
          config.retry_jitter >= 0 && config.retry_jitter <= 1 && config.retries >= 1 &&
@@ -97,7 +97,7 @@ bool AntHocNet::take(Data data, const Arrival& arrival) {
 }
 
 bool AntHocNet::take(const Control& control, const Arrival& arrival) {
-  if (control.protocol != ControlOf::kAntHocNet) return true;  // not for this node
+  if (control.protocol != ControlOf::kAntHocNet) return true;  // of another protocol
   auto packet = anthocnet::parse_control(control.body);
   if (!packet) return false;
   return std::visit([&](auto& kind) { return take(std::move(kind), arrival); }, *packet);
@@ -158,7 +158,7 @@ constinit const ProtocolKind kAntHocNetKind{
             return packet ? anthocnet::name_of(*packet) : std::string_view();
           });
         },
-    .weigh = no_weight,  // by pheromone, which a route does not tell
+    .weigh = no_weight,  // chosen by pheromone, which a Route does not contain
     .events = kAntHocNetEvents};
 
 }  // namespace hal::node::routing

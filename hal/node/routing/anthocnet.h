@@ -9,9 +9,9 @@
 namespace hal::node::routing {
 
 /// AntHocNet in full: reactive path setup by ants, stochastic forwarding by pheromone, diffusion of
-/// pheromone by hellos, proactive ants while a session runs, notices of broken links, local repair
-/// (sources: anthocnet_config.h). Pheromone is kept by message class and destination, as the other
-/// algorithms keep routes. Messages to everyone are flooded as by the ants (flooding.h).
+/// pheromone by hellos, proactive ants during a session, notices of broken links, local repair
+/// (sources: anthocnet_config.h). Pheromone is kept by message class and destination, as routes are
+/// by the other algorithms. Messages to everyone are flooded as in ant routing (flooding.h).
 class AntHocNet final : public Protocol, private HopListener, private anthocnet::AntListener {
  public:
   AntHocNet(AgentId self, const RoutingConfig& config, const RouterStreams& streams,
@@ -35,8 +35,8 @@ class AntHocNet final : public Protocol, private HopListener, private anthocnet:
 
   bool take(Data data, const Arrival& arrival);
   bool take(const Control& control, const Arrival& arrival);
-  bool take(const ForwardAnt&, const Arrival&) { return true; }   // not this protocol's
-  bool take(const BackwardAnt&, const Arrival&) { return true; }  // nor this
+  bool take(const ForwardAnt&, const Arrival&) { return true; }   // ant of another protocol
+  bool take(const BackwardAnt&, const Arrival&) { return true; }  // likewise
   bool take(anthocnet::ForwardAnt ant, const Arrival& arrival);
   bool take(anthocnet::BackwardAnt ant, const Arrival& arrival);
   bool take(const anthocnet::PheromoneHello& hello, const Arrival& arrival);

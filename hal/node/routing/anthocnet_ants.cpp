@@ -20,7 +20,7 @@ ProtocolEvent launch_of(AntKind kind) {
   }
 }
 
-/// Of a copy of an ant that comes in at `self`: the node after its source.
+/// First hop of a copy of an ant received at `self`: the node after its source.
 AgentId first_hop_of(const ForwardAnt& ant, AgentId self) {
   return ant.path.size() > 1 ? ant.path[1] : self;
 }
@@ -57,9 +57,9 @@ bool Ants::on_forward_ant(ForwardAnt ant, const Arrival& arrival) {
   return true;
 }
 
-/// The first copy of an ant is always accepted, a later one by (A7). The factor is `acceptance`, or
-/// acceptance_new_first_hop if its first hop is one that no accepted copy had ([ETT], 3.2). The
-/// time is the estimate that the ant carries, not a difference of two clocks.
+/// Accepts the first copy of an ant, and later ones by (A7). The factor is `acceptance`, or
+/// acceptance_new_first_hop if no accepted copy had its first hop ([ETT], 3.2). The time is the
+/// estimate that the ant carries, not a difference of two clocks.
 Ants::Visit* Ants::accept(const ForwardAnt& ant) {
   const int hops = ant.way.hops;
   const Duration time = ant.way.delay;

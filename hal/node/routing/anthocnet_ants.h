@@ -7,13 +7,13 @@
 
 namespace hal::node::routing::anthocnet {
 
-/// Told of the results of ants.
+/// Receives the results of ants.
 class AntListener {
  public:
   virtual ~AntListener() = default;
-  /// An ant that this node launched came back.
+  /// An ant that this node launched has returned.
   virtual void on_home(const Target& target, AntKind kind, Sequence sequence) = 0;
-  /// Regular pheromone for the target was laid here. After on_home.
+  /// Regular pheromone for the target was laid at this node. Called after on_home.
   virtual void on_trail(const Target& target) = 0;
 };
 
@@ -22,10 +22,10 @@ class AntListener {
 ///
 /// A forward ant is unicast where there is pheromone: regular, or for a proactive ant the greater
 /// of regular and virtual. Its next hop is drawn by (A5), never a node that it has visited.
-/// Elsewhere it is broadcast: a reactive ant at most `copies` times by each node, the others up to
-/// their limit of broadcasts, after which they are dropped. The backward ant follows the path in
-/// reverse and lays, at each node, pheromone towards the node that was searched. Numbers of
-/// formulae: anthocnet_config.h.
+/// Otherwise it is broadcast: each node broadcasts at most `copies` copies of an ant, and a
+/// proactive or repair ant also has a limited number of broadcasts over its whole path; beyond
+/// these limits it is dropped. The backward ant follows the path in reverse and lays, at each node,
+/// pheromone towards the node that was searched. Numbers of formulae: anthocnet_config.h.
 class Ants {
  public:
   Ants(AntNode ants, Diffusion& diffusion, AntListener& listener)
@@ -34,7 +34,7 @@ class Ants {
   /// Sends a new ant. @return its sequence number; numbers increase.
   Sequence launch(const Target& target, AntKind kind);
 
-  /// @return false if the ant contradicts how it came in.
+  /// @return false if the ant contradicts its reception, e.g. its transmitter.
   bool on_forward_ant(ForwardAnt ant, const Arrival& arrival);
   bool on_backward_ant(BackwardAnt ant, const Arrival& arrival);
 

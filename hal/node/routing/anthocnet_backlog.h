@@ -7,19 +7,19 @@
 
 namespace hal::node::routing::anthocnet {
 
-/// The messages that wait at this node for a path, by target.
+/// Messages that wait at this node for a path, by target.
 class Backlog {
  public:
   explicit Backlog(Node& node) : node_(node) {}
 
-  /// Keeps a message until release(), for buffer_age at most (then kExpired). @return false:
-  /// buffer_limit wait already, the message has ended (kQueueFull).
+  /// Keeps a message until release(), at most for buffer_age; it then ends with kExpired. @return
+  /// false: buffer_limit messages wait already and this one has ended with kQueueFull.
   bool keep(Transit transit);
 
-  /// Takes out all of a target's, in order of arrival.
+  /// Removes and returns all messages of a target, in order of arrival.
   std::vector<Transit> release(const Target& target);
 
-  /// Ends all of a target's.
+  /// Ends all messages of a target.
   void abandon(const Target& target, Verdict verdict);
 
  private:

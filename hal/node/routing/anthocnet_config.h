@@ -4,8 +4,9 @@
 
 namespace hal::node::routing {
 
-/// Parameters that only AntHocNet has. What it shares with the other algorithms (jitter_max,
-/// retry_period, retries, hop_limit, buffers, hellos, hop acknowledgements) is in RoutingConfig.
+/// Parameters that only AntHocNet has. The parameters that it shares with other algorithms
+/// (jitter_max, retry_period, retries, hop_limit, buffers, hellos, hop acknowledgements) are in
+/// RoutingConfig.
 ///
 /// Sources: [PPSN] G. Di Caro, F. Ducatelle, L. Gambardella, "AntHocNet: an ant-based hybrid
 /// routing algorithm for mobile ad hoc networks", PPSN VIII, 2004; [ETT] the same, "AntHocNet: an
@@ -14,20 +15,20 @@ namespace hal::node::routing {
 /// multi-hop networks", Universita della Svizzera italiana, 2007. A value without a source is this
 /// project's.
 ///
-/// Formulae, by the numbers that the comments of this protocol use (they are not the papers'):
+/// Formulae, numbered for the comments of this protocol (the numbers are not those of the papers):
 ///
-///   (A1) T_mac := alpha T_mac + (1 - alpha) t                      [PPSN], 3.1; anthocnet_mac_time
-///   (A2) T_i = (Q + 1) T_mac                                       [PPSN], 3.1; anthocnet_mac_time
-///   (A3) tau = ((T + h T_hop) / 2)^-1, T the sum of T_i            [PPSN], 3.1; anthocnet_node
-///   (A4) T_nd := gamma T_nd + (1 - gamma) tau                      [PPSN]; anthocnet_pheromone
-///   (A5) P_nd = T_nd^beta / sum over j of T_jd^beta                [PPSN], 3.2;
-///   anthocnet_pheromone (A6) v' = (1 / v + (T_i + T_hop) / 2)^-1                       [ETT], 3.4;
-///   anthocnet_diffusion (A7) h <= a h_best and T <= a T_best                           [ETT], 3.2;
-///   anthocnet_ants
+///   (A1) T_mac := alpha T_mac + (1 - alpha) t           [PPSN], 3.1; anthocnet_mac_time
+///   (A2) T_i = (Q + 1) T_mac                            [PPSN], 3.1; anthocnet_mac_time
+///   (A3) tau = ((T + h T_hop) / 2)^-1                   [PPSN], 3.1; anthocnet_node
+///   (A4) T_nd := gamma T_nd + (1 - gamma) tau           [PPSN]; anthocnet_pheromone
+///   (A5) P_nd = T_nd^beta / sum over j of T_jd^beta     [PPSN], 3.2; anthocnet_pheromone
+///   (A6) v' = (1 / v + (T_i + T_hop) / 2)^-1            [ETT], 3.4; anthocnet_diffusion
+///   (A7) h <= a h_best and T <= a T_best                [ETT], 3.2; anthocnet_ants
 ///
 /// with t the time of one successful transmission, Q the number of frames that wait, T_i the
-/// expected time of a hop, T and h the time and the hops of a path, T_nd the pheromone towards d
-/// via n, v the pheromone that a neighbour reports. Times in s, pheromone in 1/s.
+/// expected time of a hop, T (the sum of T_i) and h the time and the hops of a path, T_nd the
+/// pheromone towards d via n, v the pheromone that a neighbour reports. Times in s, pheromone in
+/// 1/s.
 struct AntHocNetConfig {
   double beta_reactive = 1;   ///< 0..100: beta of (A5) for reactive and repair ants [PPSN].
   double beta_proactive = 1;  ///< 0..100: beta of (A5) for proactive ants [PPSN].
@@ -36,25 +37,28 @@ struct AntHocNetConfig {
   double acceptance = 0.9;
   /// > 0: a of (A7) for a copy with a first hop that no accepted copy had [ETT].
   double acceptance_new_first_hop = 2;
-  /// >= 1: most copies of one ant that a node broadcasts. Without a limit, multipath set-up floods
-  /// a dense network with copies.
+  /// >= 1: maximum number of copies of one ant that a node broadcasts. Without a limit, multipath
+  /// setup floods a dense network with copies.
   int copies = 2;
   double mac_weight = 0.7;                           ///< 0..1: alpha of (A1) [PPSN].
   double pheromone_weight = 0.7;                     ///< 0..1: gamma of (A4) [PPSN].
   Duration hop_time = std::chrono::milliseconds{3};  ///< > 0: T_hop, time of an idle hop [thesis].
-  int hello_destinations = 10;  ///< 0..20: most targets in a hello; 0: no diffusion [ETT].
+  /// 0..20: maximum number of targets in a hello; 0: no diffusion [ETT].
+  int hello_destinations = 10;
   /// Period of proactive ants in a session [thesis]; 0: no proactive ants.
   Duration proactive_period = std::chrono::seconds{2};
   /// >= 0: a proactive ant is sent only if the best virtual pheromone is at least this times the
   /// best regular one [thesis]; 0: always.
   double proactive_margin = 1.1;
-  double proactive_broadcast_probability = 0.1;  ///< 0..1: at each node on the ant's path [ETT].
-  int proactive_broadcasts = 2;                  ///< >= 0: of one proactive ant in all [PPSN].
+  /// 0..1: probability that a node on the ant's path broadcasts it [ETT].
+  double proactive_broadcast_probability = 0.1;
+  int proactive_broadcasts = 2;  ///< >= 0: of one proactive ant in total [PPSN].
   /// > 0: a session ends when its source has sent no message for this time.
   Duration session_timeout = std::chrono::seconds{10};
-  int repair_broadcasts = 2;  ///< >= 0: of one repair ant in all [PPSN]; 0: no repair.
-  /// > 0: a repair is given up after this times the delay of the lost path [PPSN], plus jitter_max
-  /// for each broadcast.
+  /// >= 0: of one repair ant in total [PPSN]; 0: no repair.
+  int repair_broadcasts = 2;
+  /// > 0: a repair is given up after this factor times the delay of the lost path [PPSN], plus
+  /// jitter_max for each broadcast.
   double repair_wait = 5;
 };
 

@@ -6,7 +6,7 @@
 namespace hal::node::routing::anthocnet {
 namespace {
 
-constexpr double kHelloJitter = 0.25;  // of a period, at most: RFC 5148, 5.4
+constexpr double kHelloJitter = 0.25;  // share of a period, at most: RFC 5148, 5.4
 
 Duration share_of(Duration whole, double share) {
   return Duration{static_cast<std::int64_t>(static_cast<double>(whole.count()) * share)};
@@ -48,7 +48,7 @@ void Diffusion::send() {
   node.timers.schedule(node.now() + wait, [this] { send(); });
 }
 
-/// Of all that this node could tell, as many as a hello holds: a partial shuffle (Fisher, Yates).
+/// Draws as many of the known targets as a hello holds, by a partial Fisher-Yates shuffle.
 std::vector<Scent> Diffusion::scents() {
   std::vector<Scent> known;
   for (const Target& target : ants_.table.targets()) {
@@ -79,7 +79,7 @@ void Diffusion::on_hello(const PheromoneHello& hello, const Arrival& arrival) {
 void Diffusion::bootstrap(const Scent& scent, AgentId from) {
   const AgentId self = ants_.node.self;
   if (scent.target.destination == self || scent.next_hop == self) return;
-  if (scent.target.destination == from) return;  // a direct trail needs no hearsay
+  if (scent.target.destination == from) return;  // the direct trail is better
   const double pheromone = 1 / (1 / scent.pheromone + ants_.hop_cost());  // (A6)
   ants_.node.count(ProtocolEvent::kPheromoneBootstrapped);
   const Trail* const trail = scent.is_virtual ? nullptr : ants_.table.find(scent.target, from);

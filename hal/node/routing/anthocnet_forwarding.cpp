@@ -73,7 +73,7 @@ void DataForwarding::on_sent(Transit transit, Verdict verdict) {
     case Verdict::kDelivered:
       hand_over(ants_.node, transit);
       break;
-    case Verdict::kRetryLimit:  // the trails over that neighbour are gone by now
+    case Verdict::kRetryLimit:  // the trails via that neighbour are removed by now
       ants_.node.count(ProtocolEvent::kMessageSalvaged);
       forward(std::move(transit), Verdict::kRetryLimit);
       break;

@@ -8,14 +8,14 @@
 
 namespace hal::node::routing::anthocnet {
 
-/// Takes messages hop by hop to one destination ([PPSN], 3.2): the next hop is drawn by regular
-/// pheromone to the power of beta_data, never virtual, and not back to where the message came from
-/// unless there is no other.
+/// Forwards messages hop by hop to one destination ([PPSN], 3.2). The next hop is drawn by (A5)
+/// with beta_data from regular, never virtual, pheromone, and is not the neighbour from which the
+/// message came unless there is no other.
 ///
 ///   no trail at the source        --> reactive path setup, the message waits
 ///   no trail at a relay           --> warning to the neighbour that sent it, the message ends
-///   the next hop does not answer  --> another trail; else the source sets up a path anew, and a
-///                                     relay repairs
+///   the next hop does not answer  --> another trail; without one, the source sets up a new path,
+///                                     and a relay starts a repair
 class DataForwarding {
  public:
   struct Parts {
@@ -31,9 +31,9 @@ class DataForwarding {
 
   void send(const Message& message);
   void on_data(Data data, AgentId from);
-  /// How the link did with a message.
+  /// Result of a message at the link.
   void on_sent(Transit transit, Verdict verdict);
-  /// Regular pheromone for the target is there: sends what waited for it.
+  /// Regular pheromone for the target was laid: sends the messages that wait for it.
   void on_trail(const Target& target);
 
  private:
@@ -43,7 +43,7 @@ class DataForwarding {
   AntNode ants_;
   Parts parts_;
   Memory<std::pair<AgentId, Sequence>, Seen> delivered_;
-  /// As in Forwarding: a copy that the link gave us twice repeats the number of transmissions.
+  /// As in Forwarding: a copy that the link delivered twice has the same number of transmissions.
   Memory<std::tuple<AgentId, Sequence, std::uint8_t>, Seen> relayed_;
 };
 

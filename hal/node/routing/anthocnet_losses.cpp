@@ -14,8 +14,8 @@ void Losses::note(const Loss& loss) {
   if (loss.was_best) tell(loss.target);
 }
 
-/// Soon, not now: what else breaks in this instant, or is repaired, goes with it; and neighbours
-/// that heard the same notice must not answer it together.
+/// Schedules a notice after a jitter: it then includes what else breaks or is repaired meanwhile,
+/// and neighbours that received the same notice do not answer it simultaneously.
 void Losses::tell(const Target& target) {
   untold_.insert(target);
   if (std::exchange(is_waiting_, true)) return;
@@ -72,7 +72,7 @@ void Losses::on_notice(const LossNotice& notice, const Arrival& arrival) {
   }
 }
 
-/// The neighbour's new best, a hop longer, replaces what was over it.
+/// Replaces the trail via the neighbour by its new best path, extended by one hop.
 void Losses::take_worse(const LostPath& lost, const Arrival& arrival) {
   const AgentId from = arrival.reception.from;
   const Trail* const old_best = ants_.table.best_regular(lost.target);

@@ -9,12 +9,12 @@
 namespace hal::node::routing::anthocnet {
 
 /// Handling of lost trails ([PPSN], 3.4; [ETT], 3.5). A node that lost its best or only trail to
-/// targets notifies its neighbours, with the best remaining path. They adjust their trails over it,
-/// and notify their own neighbours if that was their best. Targets under repair are left out until
-/// the repair has ended.
+/// some targets notifies its neighbours and states the best remaining path. They adjust their
+/// trails through that node, and notify their own neighbours if that trail was their best. Targets
+/// under repair are left out until the repair has ended.
 ///
-/// In addition to the paper, against counting to infinity: a notice names the next hop of the
-/// remaining path, and that neighbour removes its own trail back; and no path exceeds hop_limit.
+/// Beyond the paper, to prevent counting to infinity: a notice names the next hop of the remaining
+/// path, and that neighbour removes its own trail back; and no path exceeds hop_limit.
 class Losses {
  public:
   explicit Losses(AntNode ants) : ants_(ants) {}
@@ -22,14 +22,14 @@ class Losses {
   void on_link_lost(AgentId neighbour);
   void on_notice(const LossNotice& notice, const Arrival& arrival);
   void on_warning(const Warning& warning, AgentId from);
-  /// A message from this neighbour cannot be forwarded from here.
+  /// Warns this neighbour that its message cannot be forwarded from here.
   void warn(AgentId neighbour, const Target& target);
 
   /// Sends no notice about a target until release().
   void hold(const Target& target) { held_.insert(target); }
   void release(const Target& target);
 
-  /// The path to a target that was lost last; null if that is long ago.
+  /// The path to the target that was lost last; null if that is too long ago.
   const PathStatistics* last_path(const Target& target) const { return last_.find(target); }
 
  private:
@@ -42,7 +42,7 @@ class Losses {
 
   AntNode ants_;
   std::set<Target> untold_, held_;
-  bool is_waiting_ = false;  ///< A notice is about to be sent.
+  bool is_waiting_ = false;  ///< A notice is scheduled.
   Memory<Target, PathStatistics> last_;
 };
 

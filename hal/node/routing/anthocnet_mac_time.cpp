@@ -24,7 +24,7 @@ std::optional<AgentId> MacTime::on_transmitted(const Transmission& transmission)
   const auto [next_hop, handed_over] = frame.mapped();
   const bool was_tried =
       transmission.verdict == Verdict::kDelivered || transmission.verdict == Verdict::kRetryLimit;
-  if (!was_tried) return next_hop;  // the frame before it is on the air, or none
+  if (!was_tried) return next_hop;  // it was never at the head of the queue
   const Time now = timers_.now();
   if (transmission.verdict == Verdict::kDelivered && next_hop != kEveryone) {
     const double took = to_seconds(now - std::max(handed_over, last_end_));

@@ -7,15 +7,15 @@
 
 namespace hal::node::routing::anthocnet {
 
-/// A link that measures its service time: T_mac is a running average (A1) of the time t from the
-/// head of the queue to the end of a successful transmission. With the number Q of frames that wait
+/// A link that measures its service time. T_mac is a running average (A1) of the time t from the
+/// head of the queue to the end of a successful transmission. With the number Q of waiting frames
 /// it gives the expected time of a hop (A2). Broadcasts are not averaged: they are not
 /// acknowledged, and messages are unicast. Before the first unicast frame T_mac is T_hop. Numbers
 /// of formulae: anthocnet_config.h.
 ///
-/// In [PPSN] t begins with the arrival at the MAC. Here it excludes the time behind other frames,
-/// which (Q + 1) counts already. A link without transmit status cannot be measured: its own
-/// expected_delay() is used.
+/// In [PPSN] t begins with the arrival at the MAC. Here it excludes the wait behind other frames,
+/// which the factor (Q + 1) already covers. A link without transmit status cannot be measured: its
+/// own expected_delay() is used.
 class MacTime final : public Link {
  public:
   /// @param alpha  0..1. @param hop_time  T_hop, > 0.
@@ -27,7 +27,7 @@ class MacTime final : public Link {
   Duration expected_delay() const override;
   double transmit_energy(std::size_t bytes) const override { return link_.transmit_energy(bytes); }
 
-  /// @return to whom the frame was; none if it is not under way.
+  /// @return the receiver of the frame; nullopt if the frame is not under way.
   std::optional<AgentId> on_transmitted(const Transmission& transmission);
 
   double mac_time() const { return mac_time_; }  ///< T_mac, s.
@@ -42,7 +42,7 @@ class MacTime final : public Link {
   Timers& timers_;
   const double alpha_;
   double mac_time_;  ///< s
-  Time last_end_{};  ///< Of a transmission; what the link refused or dropped was none.
+  Time last_end_{};  ///< End of the last frame that the link tried to transmit.
   std::map<LinkTag, UnderWay> under_way_;
 };
 

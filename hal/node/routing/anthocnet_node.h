@@ -6,7 +6,7 @@
 
 namespace hal::node::routing::anthocnet {
 
-/// What all parts of AntHocNet at one node share.
+/// Shared by all parts of AntHocNet at one node.
 struct AntNode {
   Node& node;
   Outbox& outbox;
@@ -23,7 +23,7 @@ struct AntNode {
     const double idle = to_seconds(config().hop_time);
     return (to_seconds(delay) + hops * idle) / 2;
   }
-  /// Cost of the hop to a neighbour, s: 1 hop and the link's expected delay in (A3).
+  /// Cost of the hop to a neighbour, s: (A3) with 1 hop and the link's expected delay.
   double hop_cost() const { return cost(1, node.ports.link.expected_delay()); }
   /// tau of (A3), 1/s.
   double pheromone_of(const PathStatistics& path) const { return 1 / cost(path.hops, path.delay); }

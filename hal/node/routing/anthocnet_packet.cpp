@@ -21,7 +21,7 @@ constexpr std::uint8_t kWarningOctet = 5;
 
 constexpr Duration kLongestPeriod = std::chrono::hours{1};
 
-// Bounds that no honest path reaches, so that sums over hops cannot overflow.
+// Bounds that no real path reaches, so that sums over hops cannot overflow.
 constexpr Duration kLongestDelay = std::chrono::hours{24};
 constexpr double kMostEnergy = 1e9;      // J
 constexpr double kMostPheromone = 1e12;  // 1/s
@@ -152,7 +152,7 @@ bool is_valid(const LostPath& lost) {
          (lost.hops == 0 || !is_broadcast(lost.next_hop));
 }
 
-/// A path visits no node twice, starts at `start`, and leaves out `end`.
+/// Whether a path starts at `start`, visits no node twice, and does not contain `end`.
 bool is_path(const std::vector<AgentId>& path, AgentId start, AgentId end) {
   if (path.empty() || path.front() != start) return false;
   std::vector<AgentId> nodes = path;
@@ -161,7 +161,7 @@ bool is_path(const std::vector<AgentId>& path, AgentId start, AgentId end) {
   return std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end();
 }
 
-/// What both kinds of ant carry.
+/// Fields common to both kinds of ants.
 struct AntBody {
   Header header;
   AntKind kind = AntKind::kReactive;

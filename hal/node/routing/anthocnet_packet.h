@@ -23,9 +23,10 @@ inline constexpr int kAntKindCount = 3;
 struct ForwardAnt {
   Header header;
   AntKind kind = AntKind::kReactive;
-  std::uint8_t broadcasts = 0;  ///< So far, this one included.
+  std::uint8_t broadcasts = 0;  ///< Number of broadcasts so far, including this one.
   PathStatistics way;           ///< From the transmitter back to the source.
-  std::vector<AgentId> path;    ///< The source and every relay so far; the last one transmits.
+  std::vector<AgentId>
+      path;  ///< The source and every relay so far; the last one is the transmitter.
   bool operator==(const ForwardAnt&) const = default;
 };
 
@@ -34,13 +35,13 @@ struct ForwardAnt {
 struct BackwardAnt {
   Header header;
   AntKind kind = AntKind::kReactive;
-  std::uint8_t position = 0;  ///< Index in `path` of the node this frame is for.
+  std::uint8_t position = 0;  ///< Index in `path` of the receiver of this frame.
   PathStatistics way;         ///< From the transmitter to header.source.
   std::vector<AgentId> path;  ///< Of the forward ant: path[0] is header.destination.
   bool operator==(const BackwardAnt&) const = default;
 };
 
-/// The end of paths for the messages of one class.
+/// A destination, for the messages of one class.
 struct Target {
   std::string topic;
   AgentId destination;
@@ -50,36 +51,37 @@ struct Target {
 /// The best path of a neighbour to a target.
 struct Scent {
   Target target;
-  AgentId next_hop;         ///< On that path; this node ignores the entry.
+  AgentId next_hop;         ///< On that path; that node ignores the entry.
   bool is_virtual = false;  ///< Derived from hellos, not laid by an ant.
-  std::uint8_t hops = 0;    ///< 1..; void if it is virtual.
+  std::uint8_t hops = 0;    ///< 1..; undefined if it is virtual.
   double pheromone = 0;     ///< 1/s, > 0.
   bool operator==(const Scent&) const = default;
 };
 
 /// Hello with the best paths of its sender, to all neighbours.
 struct PheromoneHello {
-  Duration period{};  ///< Longest time until the next, 1 ms..1 h; travels in ms, rounded up.
+  /// Longest time until the next hello, 1 ms..1 h; transmitted in ms, rounded up.
+  Duration period{};
   std::vector<Scent> scents;
   bool operator==(const PheromoneHello&) const = default;
 };
 
-/// A target that the transmitter cannot reach any more, or only on a longer path.
+/// A target that the transmitter can no longer reach, or only on a longer path.
 struct LostPath {
   Target target;
-  std::uint8_t hops = 0;  ///< Of the best path that is left; 0: none is.
-  AgentId next_hop{};     ///< On that path; void without one.
-  Duration delay{};       ///< Of that path; void without one.
+  std::uint8_t hops = 0;  ///< Of the best remaining path; 0: none.
+  AgentId next_hop{};     ///< On that path; undefined without one.
+  Duration delay{};       ///< Of that path; undefined without one.
   bool operator==(const LostPath&) const = default;
 };
 
-/// Tells all neighbours which paths were lost by a broken link.
+/// Notifies all neighbours of paths that were lost with a broken link.
 struct LossNotice {
   std::vector<LostPath> lost;  ///< At least one.
   bool operator==(const LossNotice&) const = default;
 };
 
-/// Tells the neighbour that sent a message here that this node has no path for it.
+/// Notifies the neighbour that sent a message that this node has no path for it.
 struct Warning {
   Target target;
   bool operator==(const Warning&) const = default;
@@ -90,8 +92,8 @@ using ControlPacket = std::variant<ForwardAnt, BackwardAnt, PheromoneHello, Loss
 /// "forward ant", "backward ant", "hello", …
 std::string_view name_of(const ControlPacket& packet);
 
-/// Most targets of one hello or loss notice, so that it fits into a control packet whatever the
-/// topics are.
+/// Maximum number of targets in one hello or loss notice, so that it fits into a control packet
+/// with topics of any length.
 inline constexpr std::size_t kMostTargets = 20;
 
 /// The body of a control packet (Control of packet.h), integers big-endian:
@@ -106,10 +108,10 @@ inline constexpr std::size_t kMostTargets = 20;
 ///
 /// text: u8 length, then its octets; target: text topic, u16 destination; way: u16 hops,
 /// i64 delay [ns], f64 minimum SNR [dB], f64 energy [J]; path: u8 count, u16 each.
-/// @pre the packet keeps the rules that parse_control() checks.
+/// @pre the packet satisfies the rules that parse_control() checks.
 Bytes encode_control(const ControlPacket& packet);
 
-/// The packet in such a body; none if it breaks any rule: length, ranges, an ant whose path,
+/// The packet in such a body; nullopt if it violates a rule: length, ranges, or an ant whose path,
 /// position and hop count contradict each other.
 std::optional<ControlPacket> parse_control(std::span<const std::uint8_t> bytes);
 

@@ -18,7 +18,7 @@ void PathSetup::try_once(const Target& target) {
   ants_.launch(target, AntKind::kReactive);
 }
 
-/// Until the next try or, after the last one, until the search is given up.
+/// Time until the next try or, after the last one, until the search is given up.
 Duration PathSetup::wait_after(int tries) {
   const Duration period = node_.config.retry_period;
   const double share = node_.config.retry_jitter;

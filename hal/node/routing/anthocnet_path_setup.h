@@ -9,18 +9,20 @@
 
 namespace hal::node::routing::anthocnet {
 
-/// Reactive path setup at the source of a session ([PPSN], 3.1): a reactive ant, and again after
-/// retry_period, less a random share of it (RoutingConfig::retry_jitter), `retries` times in all.
+/// Reactive path setup at the source of a session ([PPSN], 3.1): sends a reactive ant, up to
+/// `retries` times, one every retry_period less a random share of it (RoutingConfig::retry_jitter).
 ///
-///   begin() --> ant, t0 --retry_period--> ant --retry_period--> … --> given up: what waits ends
+///   begin() --> ant, t0 --retry_period--> ant --retry_period--> … --> given up: waiting messages
+///   end
 ///                |                         |
-///                +------ ant comes home ---+--> found, took now - t0
+///                +------ ant returns ------+--> found, took now - t0
 ///
-/// Found as well if the time is up and a trail is there that no ant of this search laid: the
-/// destination has come near, say.
+/// The search also succeeds if, when a period ends, a trail exists that was not laid by its own
+/// ants, for example because the destination has come near.
 class PathSetup {
  public:
-  /// @param on_trail  sends what waits for a target; when a search ends by a trail of others.
+  /// @param on_trail  sends the messages that wait for a target; called when a search ends by such
+  ///   a trail.
   PathSetup(AntNode ants_node, Diffusion& diffusion, Ants& ants, Backlog& backlog,
             std::function<void(const Target&)> on_trail)
       : node_(ants_node.node),
@@ -30,12 +32,12 @@ class PathSetup {
         backlog_(backlog),
         on_trail_(std::move(on_trail)) {}
 
-  /// Starts a search unless one is on.
+  /// Starts a search unless one is running.
   void begin(const Target& target);
   bool is_on(const Target& target) const { return searches_.contains(target); }
 
-  /// An ant came home. It ends the search if it is one of this search's: late answers to an earlier
-  /// one speak of an older network.
+  /// An ant has returned. It ends the search only if it belongs to this search: late answers to an
+  /// earlier one describe an outdated network.
   void on_home(const Target& target, Sequence sequence);
 
  private:

@@ -12,7 +12,7 @@ Route route_of(const Target& target, const Trail& trail) {
   return {target.topic, target.destination, trail.next_hop, trail.path};
 }
 
-/// The first with the greatest weight; nullptr if all weigh nothing.
+/// The first trail with the greatest weight; null if all weights are 0.
 class Best {
  public:
   explicit Best(Weight weight) : weight_(weight) {}
@@ -186,7 +186,7 @@ std::optional<AgentId> pick(const std::vector<Trail>& trails, Weight weight, dou
     left -= share[i];
     if (left < 0) return choices[i].next_hop;
   }
-  return choices.back().next_hop;  // rounding left a crumb of probability over
+  return choices.back().next_hop;  // rounding left a remainder
 }
 
 }  // namespace hal::node::routing::anthocnet

@@ -8,7 +8,7 @@ void Sessions::on_message(const Target& target) {
   if (is_new) wait(target);
 }
 
-/// Sessions that begin together come apart: up to a quarter of the period early.
+/// Up to a quarter of the period early, so that sessions that begin together do not stay in step.
 void Sessions::wait(const Target& target) {
   Node& node = ants_.node;
   const auto period = static_cast<double>(ants_.config().proactive_period.count());
@@ -29,7 +29,7 @@ void Sessions::on_period(const Target& target) {
 
 bool Sessions::is_promising(const Target& target) const {
   const Trail* const regular = ants_.table.best_regular(target);
-  if (regular == nullptr) return false;  // path setup is at it
+  if (regular == nullptr) return false;  // path setup is in progress
   const double margin = ants_.config().proactive_margin;
   if (margin == 0) return true;
   const Trail* const bootstrapped = ants_.table.best_virtual(target);

@@ -6,9 +6,9 @@
 
 namespace hal::node::routing::anthocnet {
 
-/// Proactive path maintenance ([PPSN], 3.3; [ETT], 3.4): while a session runs, its source sends a
-/// proactive ant every proactive_period, if diffusion promises a path that is better by
-/// proactive_margin than the best that is known.
+/// Proactive path maintenance ([PPSN], 3.3; [ETT], 3.4): during a session its source sends a
+/// proactive ant every proactive_period if virtual pheromone is at least proactive_margin times the
+/// best regular one.
 class Sessions {
  public:
   Sessions(AntNode ants, Ants& traffic) : ants_(ants), traffic_(traffic) {}
@@ -23,7 +23,7 @@ class Sessions {
 
   AntNode ants_;
   Ants& traffic_;
-  std::map<Target, Time> last_message_;  ///< Of the sessions that run.
+  std::map<Target, Time> last_message_;  ///< Of running sessions.
 };
 
 }  // namespace hal::node::routing::anthocnet

@@ -25,11 +25,11 @@ bool Ants::on_forward_ant(ForwardAnt ant, const Arrival& arrival) {
   return true;
 }
 
-/// The first copy of an ant is always taken; a later one if it is nearly as good as the best so
-/// far, in hops and in time, so that several routes are found but no bad ones.
+/// Accepts the first copy of an ant, and a later one if h <= a h_best and T <= a T_best with a =
+/// `acceptance` (routing_config.h), so that several routes are found but no bad ones.
 Ants::Visit* Ants::accept(const ForwardAnt& ant) {
   const int hops = static_cast<int>(ant.path.size());
-  // Clocks that disagree must not turn the comparison of times round.
+  // Clocks that disagree must not reverse the comparison of times.
   const Duration took = std::max(Duration::zero(), node_.now() - ant.started);
   auto [visit, is_first] = visits_.note({ant.header.source, ant.header.sequence}, node_.now());
   if (is_first) {
@@ -89,7 +89,7 @@ bool Ants::on_backward_ant(BackwardAnt ant, const Arrival& arrival) {
 void Ants::teach_way_back(const BackwardAnt& ant) {
   const AgentId before = ant.path[ant.position - 1u];
   const Visit* visit = visits_.find({ant.header.destination, ant.header.sequence});
-  if (visit == nullptr) return;  // it took so long that the forward ant is forgotten
+  if (visit == nullptr) return;  // the forward ant is forgotten by now
   const auto back = visit->back.find(before);
   if (back == visit->back.end()) return;
   table_.install({ant.header.topic, ant.header.destination, before, back->second});

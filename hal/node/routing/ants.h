@@ -9,24 +9,25 @@ namespace hal::node::routing {
 
 /// Relays and answers ants, and writes the routes they find into the table.
 ///
-/// A forward ant teaches nothing by itself. Its answer, walking back, teaches every node of the
-/// path the way to the node that was looked for, and the way to the one that was looking; the
-/// latter also to the node that answers, so that a reply needs no search of its own.
+/// A forward ant installs no routes by itself. Its backward ant installs, at every node of the
+/// path, the route to the node that was searched and the route to the node that searched; the
+/// latter also at the node that answers, so that a reply needs no search of its own.
 class Ants {
  public:
   Ants(Node& node, RouteTable& table, Outbox& outbox, Forwarding& forwarding)
       : node_(node), table_(table), outbox_(outbox), forwarding_(forwarding) {}
 
-  /// @return false if the ant contradicts how it came in.
+  /// @return false if the ant contradicts its reception, e.g. its transmitter.
   bool on_forward_ant(ForwardAnt ant, const Arrival& arrival);
   bool on_backward_ant(BackwardAnt ant, const Arrival& arrival);
 
  private:
-  /// What is kept of the copies of one forward ant.
+  /// State of the copies of one forward ant.
   struct Visit {
     int best_hops = 0;
     Duration best_time{};
-    std::map<AgentId, PathStatistics> back;  ///< Way to its source, by accepted neighbour.
+    /// Path to its source, by neighbour from which a copy was accepted.
+    std::map<AgentId, PathStatistics> back;
   };
   using AntId = std::pair<AgentId, Sequence>;
 

@@ -6,10 +6,10 @@
 
 namespace hal::node::routing {
 
-/// Parameters of AODV by the names of C. Perkins, E. Belding-Royer, S. Das, "Ad hoc On-Demand
-/// Distance Vector (AODV) Routing", RFC 3561, 2003, section 10, with its defaults.
+/// Parameters of AODV, with the names and defaults of C. Perkins, E. Belding-Royer, S. Das, "Ad hoc
+/// On-Demand Distance Vector (AODV) Routing", RFC 3561, 2003, section 10.
 ///
-/// Formulae, by the numbers that the comments of this protocol use (they are not the RFC's):
+/// Formulae, numbered for the comments of this protocol (the numbers are not those of the RFC):
 ///
 ///   (R1) NET_TRAVERSAL_TIME  = 2 NODE_TRAVERSAL_TIME NET_DIAMETER                     section 10
 ///   (R2) PATH_DISCOVERY_TIME = 2 NET_TRAVERSAL_TIME                                   section 10
@@ -19,7 +19,7 @@ namespace hal::node::routing {
 ///   (R6) MAX_REPAIR_TTL      = 0.3 NET_DIAMETER                                       section 10
 ///   (R7) DELETE_PERIOD       = K max(ACTIVE_ROUTE_TIMEOUT, HELLO_INTERVAL), K = 5     section 10
 ///   (R8) RING_TRAVERSAL_TIME = 2 NODE_TRAVERSAL_TIME (TTL_VALUE + TIMEOUT_BUFFER)     section 10
-///   (R9) life of a reverse route: at least
+/// (R9) lifetime of a reverse route: at least
 ///        2 NET_TRAVERSAL_TIME - 2 HopCount NODE_TRAVERSAL_TIME                        section 6.5
 struct AodvConfig {
   Duration active_route_timeout = std::chrono::seconds{3};  ///< > 0.
@@ -27,7 +27,7 @@ struct AodvConfig {
   Duration hello_interval = std::chrono::seconds{1};        ///< > 0.
   int local_add_ttl = 2;                                    ///< >= 0.
   int net_diameter = 35;                                    ///< 1..255, hops.
-  /// > 0. Conservative estimate of the time of a hop: queue, processing, medium access.
+  /// > 0. Conservative estimate of the time of a hop: queueing, processing, medium access.
   Duration node_traversal_time = std::chrono::milliseconds{40};
   int rerr_ratelimit = 10;  ///< >= 1, per second.
   int rreq_ratelimit = 10;  ///< >= 1, per second.
@@ -37,28 +37,28 @@ struct AodvConfig {
   int ttl_increment = 2;    ///< >= 1.
   int ttl_threshold = 7;    ///< >= 1.
 
-  // What the RFC leaves to the node.
-  bool hello = true;              ///< Section 6.9; else only the link reports lost neighbours.
+  // Choices that the RFC leaves to the node.
+  bool hello = true;              ///< Section 6.9; false: only the link reports lost neighbours.
   bool destination_only = false;  ///< Flag 'D' of a RREQ, section 5.1.
   bool gratuitous_reply = true;   ///< Flag 'G' of a RREQ, section 6.6.3.
   bool local_repair = false;      ///< Section 6.12.
   bool wait_after_start = false;  ///< Section 6.13: DELETE_PERIOD without answers after a start.
 
-  /// (R1).
+  /// NET_TRAVERSAL_TIME (R1).
   Duration net_traversal_time() const { return 2 * node_traversal_time * net_diameter; }
-  /// (R2).
+  /// PATH_DISCOVERY_TIME (R2).
   Duration path_discovery_time() const { return 2 * net_traversal_time(); }
-  /// (R3).
+  /// MY_ROUTE_TIMEOUT (R3).
   Duration my_route_timeout() const { return 2 * active_route_timeout; }
-  /// (R4).
+  /// NEXT_HOP_WAIT (R4).
   Duration next_hop_wait() const { return node_traversal_time + std::chrono::milliseconds{10}; }
-  /// (R5), at least one NET_TRAVERSAL_TIME.
+  /// BLACKLIST_TIMEOUT (R5), at least one NET_TRAVERSAL_TIME.
   Duration blacklist_timeout() const { return std::max(1, rreq_retries) * net_traversal_time(); }
-  /// (R6), rounded down, at least 1.
+  /// MAX_REPAIR_TTL (R6), rounded down, at least 1.
   int max_repair_ttl() const { return std::max(1, net_diameter * 3 / 10); }
-  /// (R7) with the K that the RFC recommends.
+  /// DELETE_PERIOD (R7) with the K that the RFC recommends.
   Duration delete_period() const { return 5 * std::max(active_route_timeout, hello_interval); }
-  /// (R8) of a RREQ with that TTL.
+  /// RING_TRAVERSAL_TIME (R8) of a RREQ with this TTL.
   Duration ring_traversal_time(int ttl) const {
     return 2 * node_traversal_time * (ttl + timeout_buffer);
   }

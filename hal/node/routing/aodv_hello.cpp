@@ -6,7 +6,7 @@
 namespace hal::node::routing {
 namespace {
 
-constexpr double kHelloJitter = 0.25;  // of an interval, at most: RFC 5148, 5.4
+constexpr double kHelloJitter = 0.25;  // share of an interval, at most: RFC 5148, 5.4
 
 Duration share_of(Duration whole, double fraction) {
   return Duration{static_cast<std::int64_t>(static_cast<double>(whole.count()) * fraction)};

@@ -9,12 +9,13 @@
 
 namespace hal::node::routing {
 
-/// Hellos of AODV (RFC 3561, section 6.9): a node on an active route that broadcast nothing for
-/// HELLO_INTERVAL broadcasts its own address and number. A neighbour that sent one, and then
-/// nothing at all for ALLOWED_HELLO_LOSS intervals, is lost.
+/// Hellos of AODV (RFC 3561, section 6.9): a node on an active route that has broadcast nothing for
+/// HELLO_INTERVAL broadcasts its own address and sequence number. A neighbour that sent a hello,
+/// and then no frame at all for ALLOWED_HELLO_LOSS intervals, is lost.
 ///
-/// Each interval is shortened by a random quarter at most (RFC 5148, 5.1: or neighbours that
-/// started together would collide for ever), and half of one is added to what a neighbour has.
+/// Each interval is shortened at random by up to a quarter (RFC 5148, 5.1: otherwise the hellos of
+/// neighbours that started together would always collide), and a neighbour gets an extra half
+/// interval.
 class AodvHellos {
  public:
   /// @param on_silence  called once when a neighbour is lost.
@@ -25,11 +26,11 @@ class AodvHellos {
   void start();
   void on_broadcast() { last_broadcast_ = node_.now(); }
   void on_hello(AgentId from);
-  /// Any frame is a sign of life.
+  /// Any frame shows that its transmitter is alive.
   void on_heard(AgentId from);
   void forget(AgentId neighbour) { last_heard_.erase(neighbour); }
 
-  /// How long a neighbour may be silent.
+  /// Longest permitted silence of a neighbour.
   Duration patience() const;
 
  private:

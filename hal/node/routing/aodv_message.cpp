@@ -9,7 +9,7 @@ namespace hal::node::routing {
 namespace {
 
 enum AodvType : std::uint8_t { kRreq = 1, kRrep = 2, kRerr = 3 };
-// Flags of a RREQ, and of a RERR.
+// Flags of RREQ and RERR.
 constexpr std::uint8_t kGratuitous = 0x20;
 constexpr std::uint8_t kDestinationOnly = 0x10;
 constexpr std::uint8_t kUnknownSequence = 0x08;
@@ -59,7 +59,7 @@ void put(ByteWriter& out, const Rerr& rerr) {
   }
 }
 
-/// Everyone, who is nobody, for what is no address of a node.
+/// Returns kEveryone, which parsing rejects, for a value that is not a node's address.
 AgentId take_address(ByteReader& in) {
   const std::uint32_t address = in.u32();
   return address < kNeighbours.value ? AgentId{static_cast<std::uint16_t>(address)} : kEveryone;

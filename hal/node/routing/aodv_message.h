@@ -23,25 +23,26 @@ constexpr bool is_newer(AodvSequence a, AodvSequence b) {
 
 /// Route request (RFC 3561, section 5.1).
 struct Rreq {
-  bool gratuitous = false;        ///< 'G': a node that answers for the destination informs it, too.
+  /// 'G': a node that answers for the destination must inform the destination.
+  bool gratuitous = false;
   bool destination_only = false;  ///< 'D': only the destination may answer.
   std::uint8_t hops = 0;          ///< From the originator to the transmitter.
-  std::uint32_t id = 0;           ///< With the originator's address, names the search.
+  std::uint32_t id = 0;           ///< With the originator's address, identifies the request.
   AgentId destination;
-  /// The newest that the originator knows; none: flag 'U'.
+  /// The newest known to the originator; nullopt: flag 'U'.
   std::optional<AodvSequence> destination_sequence{};
   AgentId originator{};
   AodvSequence originator_sequence = 0;
   bool operator==(const Rreq&) const = default;
 };
 
-/// Route reply (section 5.2). A hello (section 6.9) names its sender as both ends.
+/// Route reply (section 5.2). A hello (section 6.9) has its sender as destination and originator.
 struct Rrep {
   std::uint8_t hops = 0;  ///< From the transmitter to the destination.
   AgentId destination;
   AodvSequence destination_sequence = 0;
   AgentId originator{};  ///< Of the request.
-  Duration lifetime{};   ///< >= 0; travels in ms, rounded down.
+  Duration lifetime{};   ///< >= 0; transmitted in ms, rounded down.
   bool operator==(const Rrep&) const = default;
 };
 
@@ -55,10 +56,10 @@ struct Rerr {
 
 using AodvMessage = std::variant<Rreq, Rrep, Rerr>;
 
-/// As the RFC calls it: "RREQ".
+/// Name used by the RFC: "RREQ".
 std::string_view name_of(const AodvMessage& message);
 
-/// A message with its TTL, which the RFC has in the header of IP.
+/// A message with its TTL, which the RFC keeps in the IP header.
 struct AodvPacket {
   std::uint8_t ttl = 1;  ///< >= 1.
   AodvMessage message;
@@ -68,7 +69,7 @@ struct AodvPacket {
 /// The body of a Control packet: u8 TTL, then the message in the format of RFC 3561, sections 5.1
 /// to 5.3, addresses in the low 16 of 32 bits.
 Bytes encode(const AodvPacket& packet);
-/// None if it breaks any rule: type, length, broadcast addresses, unused bits.
+/// nullopt if it violates a rule: type, length, broadcast addresses, unused bits.
 std::optional<AodvPacket> parse_aodv(const Bytes& body);
 
 }  // namespace hal::node::routing

@@ -1,4 +1,4 @@
-// The file is long because the messages of AODV call for each other.
+// The file is long because the handlers of AODV's messages call each other.
 #include "hal/node/routing/aodv_routing.h"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ void AodvRouting::on_message(const Rreq& rreq, int ttl, AgentId from) {
     node_.count(ProtocolEvent::kRreqBlacklisted);
     return;
   }
-  if (rreq.originator == node_.self) return;  // our own, come back from a neighbour
+  if (rreq.originator == node_.self) return;  // our own request, relayed by a neighbour
   table_.note_neighbour(from, node_.now() + node_.config.aodv.active_route_timeout);
   if (!requests_.note({rreq.originator, rreq.id}, node_.now()).second) return;
 
@@ -112,7 +112,7 @@ void AodvRouting::on_message(const Rreq& rreq, int ttl, AgentId from) {
   if (!is_answered && ttl > 1 && !search_.is_held()) relay(rreq, ttl - 1);
 }
 
-/// Section 6.6. @return whether this node has to do no more about it.
+/// Section 6.6. @return whether the request needs no further handling.
 bool AodvRouting::answer(const Rreq& rreq, AgentId from) {
   if (search_.is_held()) return false;
   if (rreq.destination == node_.self) {
@@ -177,7 +177,8 @@ void AodvRouting::relay(Rreq rreq, int ttl) {
   });
 }
 
-/// To a neighbour. If that does not answer, the link carries one way only (section 6.8).
+/// Sends a reply to a neighbour. If it is not acknowledged, the link is unidirectional (section
+/// 6.8).
 void AodvRouting::send_reply(AgentId to, const Rrep& rrep, int ttl) {
   const AodvPacket packet{.ttl = static_cast<std::uint8_t>(ttl), .message = rrep};
   outbox_.send_control(to, Control{ControlOf::kAodv, encode(packet)}, [this, to](Verdict verdict) {
@@ -187,7 +188,7 @@ void AodvRouting::send_reply(AgentId to, const Rrep& rrep, int ttl) {
   });
 }
 
-/// Section 6.7; of a hello, 6.9.
+/// Section 6.7; for a hello, section 6.9.
 void AodvRouting::on_message(const Rrep& rrep, int ttl, AgentId from) {
   if (rrep.destination == node_.self) return;
   const AodvConfig& config = node_.config.aodv;
@@ -213,9 +214,9 @@ void AodvRouting::on_message(const Rrep& rrep, int ttl, AgentId from) {
   on_route(rrep.destination);
 }
 
-/// What this node goes by now: what the reply told it, or what it knew before and the reply
-/// confirms. The RFC's wording forwards only what updates the table, by which a search that asks
-/// for the destination itself ends at a node that knew the route.
+/// Forwards a reply if it matches the route in the table, whether it has just updated that route or
+/// only confirms it. The RFC's wording forwards only replies that update the table; a search that
+/// requires an answer of the destination would then end at a relay that already knew the route.
 void AodvRouting::relay(Rrep rrep, int ttl, AgentId from) {
   const AodvEntry* const back = table_.active(rrep.originator);
   const AodvEntry* const route = table_.active(rrep.destination);
@@ -242,7 +243,7 @@ void AodvRouting::on_message(const Rerr& rerr, int, AgentId from) {
   for (const auto& [destination, sequence] : rerr.unreachable) {
     const AodvEntry* const route = table_.active(destination);
     if (route == nullptr || route->next_hop != from || destination == from) continue;
-    // The route goes on after a repair, but whoever sends may look for a shorter one.
+    // The route continues to work after a repair, but its users may search for a shorter one.
     if (rerr.no_delete) continue;
     const AodvEntry* const entry = table_.invalidate(destination, sequence);
     if (entry->precursors.empty()) continue;
@@ -288,7 +289,7 @@ void AodvRouting::on_no_answer(AgentId neighbour) {
   report(broken, listeners);
 }
 
-/// Section 6.12: if others send through here, and the destination was not far.
+/// Section 6.12: starts a repair if other nodes use the route and the destination was near.
 bool AodvRouting::starts_repair(AgentId destination, const AodvEntry& before) {
   const AodvConfig& config = node_.config.aodv;
   const bool is_worth = config.local_repair && !before.precursors.empty() &&
@@ -333,12 +334,12 @@ void AodvRouting::on_data(Data data, AgentId from) {
   refresh(data, from);
   Transit transit{.data = std::move(data), .came_from = from, .owes_fate = false};
   if (!search_.is_held()) return forward(std::move(transit));
-  // Section 6.13: others still send through the node that it was before its restart.
+  // Section 6.13: other nodes still use routes through this node from before its restart.
   search_.hold_until(node_.now() + node_.config.aodv.delete_period());
   refuse(transit);
 }
 
-/// Section 6.2: a route that is used lives on, both ways.
+/// Section 6.2: using a route extends its lifetime, in both directions.
 void AodvRouting::refresh(const Data& data, AgentId from) {
   const Time until = node_.now() + node_.config.aodv.active_route_timeout;
   table_.use(data.header.source, until);
@@ -360,8 +361,8 @@ void AodvRouting::forward(Transit transit) {
   outbox_.send_message(next_hop, std::move(transit));
 }
 
-/// There is no route: what is this node's own, or is being repaired, waits; else section 6.11, case
-/// (ii).
+/// Without a route, a message of this node, or one to a destination under repair, waits; otherwise
+/// section 6.11, case (ii).
 void AodvRouting::refuse(const Transit& transit) {
   const AgentId destination = transit.data.header.destination;
   const AodvEntry* const known = table_.find(destination);
@@ -416,7 +417,7 @@ constinit const ProtocolKind kAodvKind{
             return packet ? name_of(packet->message) : std::string_view();
           });
         },
-    // It has one next hop.
+    // There is only one next hop.
     .weigh = [](const RoutingConfig&, const Route&) -> std::optional<double> { return 1; },
     .events = kAodvEvents};
 

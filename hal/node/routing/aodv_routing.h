@@ -74,9 +74,9 @@ class AodvRouting final : public Protocol, private HopListener {
   const bool has_hellos_;
   Memory<std::pair<AgentId, std::uint32_t>, Seen> requests_;
   Memory<std::pair<AgentId, Sequence>, Seen> delivered_;
-  /// A copy that the link gave us twice repeats the number of transmissions.
+  /// A copy that the link delivered twice has the same number of transmissions.
   Memory<std::tuple<AgentId, Sequence, std::uint8_t>, Seen> relayed_;
-  std::map<AgentId, Time> blacklist_;  ///< Until when.
+  std::map<AgentId, Time> blacklist_;  ///< Neighbours ignored, and until when.
 };
 
 }  // namespace hal::node::routing

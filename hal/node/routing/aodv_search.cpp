@@ -43,7 +43,7 @@ bool AodvSearch::repair(AgentId destination, int ttl) {
   return true;
 }
 
-/// Section 6.4: a destination is looked for near where it was last known to be.
+/// Section 6.4: the first ring is based on the last known distance of the destination.
 int AodvSearch::first_ttl(AgentId destination) const {
   const AodvConfig& config = node_.config.aodv;
   const AodvEntry* const known = table_.find(destination);
@@ -51,7 +51,7 @@ int AodvSearch::first_ttl(AgentId destination) const {
   return ttl > config.ttl_threshold ? config.net_diameter : std::min(ttl, config.net_diameter);
 }
 
-/// Waits, if this second's requests are used up.
+/// Sends a request, or waits if the rate limit is reached.
 void AodvSearch::try_once(AgentId destination) {
   Search& search = searches_.at(destination);
   const Time earliest = std::max(rate_.next(node_.now()), held_until_);
@@ -82,7 +82,7 @@ void AodvSearch::request(AgentId destination, Search& search) {
   outbox_.send_control(kEveryone, Control{ControlOf::kAodv, encode(packet)});
 }
 
-/// Until the answer must be there.
+/// Time within which the answer must arrive.
 Duration AodvSearch::wait_after(const Search& search) const {
   constexpr int kMostDoublings = 10;
   const AodvConfig& config = node_.config.aodv;
@@ -113,7 +113,7 @@ void AodvSearch::give_up(AgentId destination) {
   }
 }
 
-/// After a repair that found nothing: this node looks for a route as any source does.
+/// After a failed repair, searches for a route for this node's own messages, as any source does.
 void AodvSearch::search_for_own(AgentId destination) {
   const auto queue = waiting_.find(destination);
   if (queue == waiting_.end()) return;

@@ -11,43 +11,45 @@
 
 namespace hal::node::routing {
 
-/// Searches routes with route requests, and keeps the messages that wait for them (RFC 3561,
+/// Searches for routes with route requests, and keeps the messages that wait for them (RFC 3561,
 /// sections 6.3 and 6.4).
 ///
-///   wait() --> ring of TTL_START hops, or what was known + TTL_INCREMENT
+///   wait() --> ring of TTL_START hops, or the last known hop count + TTL_INCREMENT
 ///                 | RING_TRAVERSAL_TIME (R8): wider by TTL_INCREMENT, up to TTL_THRESHOLD
 ///                 v
 ///              the whole network --NET_TRAVERSAL_TIME (R1), doubled each time--> … RREQ_RETRIES
 ///                 v                                                             v more
 ///              on_route(): found                                             given up
 ///
-/// A repair (section 6.12) is one ring of a given width. If it finds nothing, messages of other
-/// nodes are abandoned, and those of this node wait for a search as above.
+/// A repair (section 6.12) is one ring of a given width. If it fails, messages of other nodes are
+/// abandoned, and those of this node wait for a search as above.
 class AodvSearch {
  public:
   struct Calls {
-    /// What to do with a message that waited in vain.
+    /// Ends a message that waited without success.
     std::function<void(const Transit&, Verdict)> abandon;
-    /// A repair found nothing.
+    /// A repair found no route.
     std::function<void(AgentId destination)> repair_failed;
   };
 
   AodvSearch(Node& node, AodvTable& table, Outbox& outbox, Calls calls);
 
-  /// Keeps a message until release(), for buffer_age at most, and looks for a route to its
-  /// destination if no search is on. Abandons it at once (kQueueFull) if buffer_limit wait already.
+  /// Keeps a message until release(), at most for buffer_age, and searches for a route to its
+  /// destination unless a search is running. Abandons it at once (kQueueFull) if buffer_limit
+  /// messages wait already.
   void wait(Transit transit);
   /// Searches once, within `ttl` hops.
-  /// @return false: a search is under way, and continues unchanged.
+  /// @return false: a search is running, and continues unchanged.
   bool repair(AgentId destination, int ttl);
 
-  /// There is a route: ends the search, and takes out what waited for it, in order of arrival.
+  /// There is a route: ends the search, and returns the messages that waited for it, in order of
+  /// arrival.
   std::vector<Transit> on_route(AgentId destination);
 
-  /// For a reply of this node: never less than before.
+  /// Sequence number for a reply of this node; it never decreases.
   AodvSequence own_sequence() const { return own_sequence_; }
   void raise_own_sequence(AodvSequence at_least);
-  /// Nothing is searched for before that.
+  /// No search starts before that time.
   void hold_until(Time at) { held_until_ = at; }
   bool is_held() const { return node_.now() < held_until_; }
 
@@ -57,10 +59,10 @@ class AodvSearch {
     OwnTimers::Handle expiry = 0;
   };
   struct Search {
-    std::string topic;  ///< Of the first message that waited.
+    std::string topic;  ///< Topic of the first message that waited.
     Time started{};
     int ttl = 0;
-    int whole = 0;  ///< Requests so far that went through the whole network.
+    int whole = 0;  ///< Requests so far that covered the whole network.
     bool is_repair = false;
     OwnTimers::Handle timer = 0;
   };

@@ -15,7 +15,7 @@ Route route_of(std::string_view topic, AgentId destination, const AodvEntry& ent
 }
 
 bool is_better(const AodvOffer& offer, const AodvEntry& known, bool is_active) {
-  // Of a neighbour that was only heard no number is known: nothing longer is better.
+  // For a neighbour that was only heard no number is known: a longer route is never better.
   if (!known.sequence) return !is_active || offer.hops <= known.hops;
   if (!offer.sequence) return false;
   if (is_newer(*offer.sequence, *known.sequence)) return true;
@@ -55,8 +55,8 @@ bool AodvTable::offer(const AodvOffer& offer) {
   return true;
 }
 
-/// Section 6.5: without a valid number. One that is known stays: the neighbour itself, which gave
-/// it, is the next hop.
+/// Section 6.5: notes the neighbour without a sequence number. A known number is kept, because the
+/// neighbour itself, which issued it, is the next hop.
 void AodvTable::note_neighbour(AgentId neighbour, Time until) {
   AodvEntry& entry = entries_[neighbour];
   const bool was_active = is_active(entry);
@@ -88,8 +88,8 @@ const AodvEntry* AodvTable::invalidate(AgentId destination, std::optional<AodvSe
   const auto found = entries_.find(destination);
   if (found == entries_.end() || !found->second.is_valid) return nullptr;
   AodvEntry& entry = found->second;
-  // Where nobody can have learnt of the route from this node, the number need not grow; and it must
-  // not outgrow that of a neighbour that is only heard now and then.
+  // If no other node can have learnt of the route from this one, the number need not increase; and
+  // it must not become greater than that of a neighbour that is only heard now and then.
   if (entry.sequence && entry.is_in_use) {
     const bool is_told = newest && is_newer(*newest, *entry.sequence);
     entry.sequence = is_told ? *newest : *entry.sequence + 1;
@@ -169,7 +169,8 @@ void AodvTable::tell(AgentId destination, const AodvEntry& entry, bool removed) 
   }
 }
 
-/// One timer for all, at the first expiry. Entries that were extended since are waited for anew.
+/// Uses one timer for all entries, set to the first expiry. Entries extended meanwhile are
+/// rescheduled.
 void AodvTable::wait_for(Time expiry) {
   if (wake_at_ && *wake_at_ <= expiry) return;
   if (wake_at_) node_.timers.cancel(timer_);

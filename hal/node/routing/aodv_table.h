@@ -17,13 +17,16 @@ namespace hal::node::routing {
 struct AodvEntry {
   AgentId next_hop;
   int hops = 0;
-  std::optional<AodvSequence> sequence{};  ///< None: no valid one is known.
-  bool is_valid = false;  ///< Else the route is broken or was not used; its number is kept.
-  /// The route may be used for messages; else it only records that the neighbour was heard.
+  std::optional<AodvSequence> sequence{};  ///< nullopt: no valid number is known.
+  /// False: the route is broken or expired; its sequence number is kept.
+  bool is_valid = false;
+  /// The route may be used for messages; false: it only records that the neighbour was heard.
   bool is_in_use = false;
-  bool is_in_repair = false;       ///< Not valid, but being searched for (section 6.12).
-  Time expires{};                  ///< Of a valid route; else when the entry is deleted.
-  std::set<AgentId> precursors{};  ///< Neighbours that send to the destination through this node.
+  bool is_in_repair = false;  ///< Not valid, but being repaired (section 6.12).
+  /// Of a valid route; otherwise the time when the entry is deleted.
+  Time expires{};
+  /// Neighbours that send to the destination through this node.
+  std::set<AgentId> precursors{};
 };
 
 /// A route to a destination that a message offers.
@@ -35,8 +38,8 @@ struct AodvOffer {
   Time expires{};
 };
 
-/// The routing table of AODV (RFC 3561, section 6.2): one next hop for each destination, whatever
-/// the message class.
+/// The routing table of AODV (RFC 3561, section 6.2): one next hop for each destination, for all
+/// message classes.
 ///
 ///   (no entry) --offer--> valid --not used, broken--> invalid --DELETE_PERIOD--> (no entry)
 ///                           ^                            |
@@ -47,44 +50,46 @@ struct AodvOffer {
 /// van Glabbeek, P. Hoefner, W. L. Tan, M. Portmann, "Sequence Numbers Do Not Guarantee Loop
 /// Freedom", 2013, on what the RFC leaves open).
 ///
-/// The observer is told of a route once for each class that was seen at this node. Of the
-/// statistics of a path only the hops are known.
+/// A route is reported to the observer once for each class that was seen at this node. Of the path
+/// statistics only the number of hops is known.
 class AodvTable {
  public:
   /// @param config  of the node; both outlive the table.
   explicit AodvTable(Node& node) : node_(node) {}
 
-  /// Null: nothing is known.
+  /// Null: no entry.
   const AodvEntry* find(AgentId destination) const;
   /// Null: there is no valid route.
   const AodvEntry* active(AgentId destination) const;
 
-  /// Takes an offer if it is newer than what is known, as new and shorter, or as new and nothing
-  /// valid is known. @return whether it was taken.
+  /// Accepts an offer if its sequence number is newer than the known one, or equal with fewer hops,
+  /// or equal while no valid route is known.
+  /// @return whether it was accepted.
   bool offer(const AodvOffer& offer);
 
-  /// A frame of the neighbour was heard: it can be reached directly at least until then.
+  /// A frame of the neighbour was received: it is considered a direct neighbour at least until
+  /// then.
   void note_neighbour(AgentId neighbour, Time until);
 
   /// The route is used: it stays valid at least until then. No effect if it is not valid.
   void use(AgentId destination, Time until);
   void add_precursor(AgentId destination, AgentId neighbour);
 
-  /// The route is broken. @param newest  the sequence number of a route error; none: it is
+  /// The route is broken. @param newest  the sequence number in a route error; nullopt: it is
   /// incremented here. @return the entry; null: it was not valid.
   const AodvEntry* invalidate(AgentId destination, std::optional<AodvSequence> newest);
-  /// No neighbour has to be told of its loss any more.
+  /// Clears the precursors: no neighbour needs a notification of its loss any more.
   void forget_precursors(AgentId destination);
   bool is_in_use(AgentId destination) const;
   void set_in_use(AgentId destination, bool in_use);
   void set_in_repair(AgentId destination, bool in_repair);
 
-  /// Destinations of valid routes that start with this neighbour.
+  /// Destinations of valid routes via this neighbour.
   std::vector<AgentId> via(AgentId neighbour) const;
   /// Whether this node may have to forward messages.
   bool is_on_active_route() const;
 
-  /// A message of this class was seen: from now on its routes are told.
+  /// A message of this class was seen: from now on its routes are reported.
   void note_class(std::string_view topic);
 
   std::vector<Route> routes(std::string_view topic, AgentId destination) const;
@@ -101,7 +106,7 @@ class AodvTable {
   Node& node_;
   std::map<AgentId, AodvEntry> entries_;
   std::set<std::string, std::less<>> classes_;
-  std::optional<Time> wake_at_;  ///< When the timer runs; none: there is none.
+  std::optional<Time> wake_at_;  ///< When the timer fires; nullopt: it is not set.
   OwnTimers::Handle timer_ = 0;
 };
 

@@ -28,7 +28,8 @@ class ByteWriter {
   Bytes bytes_;
 };
 
-/// Reads what ByteWriter wrote. Past the end it gives zeros and remembers: ask ended_well() once.
+/// Reads what ByteWriter wrote. Past the end it returns zeros and records the error: call
+/// ended_well() once.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

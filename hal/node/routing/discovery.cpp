@@ -36,7 +36,7 @@ void Discovery::try_once(const Target& target, Search& search) {
   outbox_.send_control(kEveryone, ant);
 }
 
-/// Until the next try or, after the last one, until the search is given up.
+/// Time until the next try or, after the last one, until the search is given up.
 Duration Discovery::wait_after(int tries) {
   const Duration period = node_.config.retry_period;
   const double share = node_.config.retry_jitter;

@@ -9,31 +9,32 @@
 
 namespace hal::node::routing {
 
-/// Looks for routes, and keeps the messages that wait for them.
+/// Searches for routes, and keeps the messages that wait for them.
 ///
 ///   wait() --> forward ant, t0 --retry_period--> forward ant --retry_period--> … --> given up
 ///                   |            less jitter         |         less jitter
 ///                   +------------- backward ant -----+--> found, took now - t0
 ///
-/// The first ant leaves at once, each further one after retry_period less a random share of it:
-/// nodes that began in one instant, and lost their ants to each other, come apart.
+/// The first ant is sent at once, each further one after retry_period less a random share of it, so
+/// that nodes whose first ants collided do not repeat them simultaneously.
 class Discovery {
  public:
-  /// What to do with a message that waited in vain.
+  /// Ends a message that waited without success.
   using Abandon = std::function<void(const Transit&, Verdict)>;
 
   Discovery(Node& node, Outbox& outbox, Abandon abandon)
       : node_(node), outbox_(outbox), abandon_(std::move(abandon)) {}
 
-  /// Keeps a message until release(), for buffer_age at most, and looks for a route to its
-  /// destination if no search is on. Abandons it at once (kQueueFull) if buffer_limit wait already.
+  /// Keeps a message until release(), at most for buffer_age, and searches for a route to its
+  /// destination unless a search is running. Abandons it at once (kQueueFull) if buffer_limit
+  /// messages wait already.
   void wait(Transit transit);
 
-  /// A backward ant came home. It ends the search if it answers one of this search's forward ants:
-  /// late answers to an earlier search speak of an older network.
+  /// A backward ant has returned. It ends the search if it answers one of this search's forward
+  /// ants: late answers to an earlier search describe an outdated network.
   void on_answer(const std::string& topic, AgentId destination, Sequence sequence);
 
-  /// Takes out all messages that wait for a route, in order of arrival.
+  /// Removes and returns all messages that wait for a route, in order of arrival.
   std::vector<Transit> release(const std::string& topic, AgentId destination);
 
  private:

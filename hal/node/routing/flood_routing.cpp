@@ -9,7 +9,7 @@
 namespace hal::node::routing {
 namespace {
 
-/// For a hop besides its jitter: queue and medium.
+/// Time allowed for a hop in addition to its jitter: queueing and medium access.
 constexpr Duration kHopTime = 100ms;
 
 }  // namespace
@@ -26,7 +26,7 @@ void FloodRouting::on_transmitted(const Transmission& transmission) {
   hops_.on_transmitted(transmission);
 }
 
-/// What is of another protocol is not for this node.
+/// Packets of other protocols are ignored.
 bool FloodRouting::on_packet(Packet packet, const Arrival&) {
   if (auto* data = std::get_if<Data>(&packet)) flooding_.on_data(std::move(*data));
   return true;

@@ -6,14 +6,15 @@
 
 namespace hal::node::routing {
 
-/// The baseline that needs no routes: every message is flooded, one to a single node too. Each node
-/// passes a message on once, after a jitter, until it has used up hop_limit; its destination
-/// delivers the first copy and passes none on. (C. Ho, K. Obraczka, G. Tsudik, K. Viswanath,
-/// "Flooding for Reliable Multicast in Multi-Hop Ad Hoc Networks", 1999: the basic scheme.)
+/// Baseline without routes: every message is flooded, also one to a single node. Each node forwards
+/// a message once, after a jitter, until hop_limit is reached; the destination delivers the first
+/// copy and forwards none. (C. Ho, K. Obraczka, G. Tsudik, K. Viswanath, "Flooding for Reliable
+/// Multicast in Multi-Hop Ad Hoc Networks", 1999: the basic scheme.)
 ///
-/// Nobody acknowledges a broadcast: the fate of a message is that it left the antenna. A message to
-/// one node ends, if not delivered, as kExpired when its flood must be over; its sender says so,
-/// and cannot know that it was delivered: kDelivered wins (RoutingObserver::on_message_end).
+/// Broadcasts are not acknowledged: the fate of a message reports only its transmission. A message
+/// to one node that is not delivered ends as kExpired after the longest possible duration of its
+/// flood. The sender reports this without knowing whether the message was delivered: kDelivered
+/// takes precedence (RoutingObserver::on_message_end).
 class FloodRouting final : public Protocol, private HopListener {
  public:
   FloodRouting(AgentId self, const RoutingConfig& config, const RouterStreams& streams,

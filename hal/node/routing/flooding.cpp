@@ -7,12 +7,13 @@
 namespace hal::node::routing {
 
 void Flooding::send(const Message& message) {
-  outbox_.send_message(kEveryone, to_transit(node_, message));  // to the link, all are everyone
+  outbox_.send_message(kEveryone,
+                       to_transit(node_, message));  // the link broadcasts to kEveryone in any case
 }
 
 void Flooding::on_data(Data data) {
   const Header& header = data.header;
-  if (header.source == node_.self) return;  // our own flood, come back from a neighbour
+  if (header.source == node_.self) return;  // our own flood, relayed by a neighbour
   if (!seen_.note({header.source, header.sequence}, node_.now()).second) {
     node_.count(ProtocolEvent::kFloodCopyDropped);
     return;
@@ -37,7 +38,7 @@ void Flooding::on_sent(const Transit& transit, Verdict verdict) {
   if (verdict == Verdict::kDelivered) {
     hand_over(node_, transit);
   } else if (transit.owes_fate) {
-    // Only at the source does the message itself end with this; elsewhere neighbours have it.
+    // The message as a whole ends with this only at its source; elsewhere other relays have copies.
     end_message(node_, transit, verdict);
   }
 }

@@ -5,9 +5,9 @@
 
 namespace hal::node::routing {
 
-/// Floods a message: its source broadcasts it at once, every other node once after a jitter. A
-/// message to the neighbours is not repeated; one to a single node is delivered there, and not
-/// repeated by that node.
+/// Floods a message: its source broadcasts it at once, and every other node once after a jitter. A
+/// message to the neighbours is not forwarded; one to a single node is delivered there and not
+/// forwarded by that node.
 class Flooding {
  public:
   Flooding(Node& node, Outbox& outbox) : node_(node), outbox_(outbox) {}

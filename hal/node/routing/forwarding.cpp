@@ -52,7 +52,7 @@ void Forwarding::on_sent(Transit transit, Verdict verdict) {
     case Verdict::kDelivered:
       hand_over(node_, transit);
       break;
-    case Verdict::kRetryLimit:  // salvage: the routes through that neighbour are gone by now
+    case Verdict::kRetryLimit:  // salvage: the routes via that neighbour are removed by now
       forward(std::move(transit), Verdict::kRetryLimit);
       break;
     default:

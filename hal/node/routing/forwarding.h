@@ -20,7 +20,7 @@ class Forwarding {
   /// Result of a message at the link.
   void on_sent(Transit transit, Verdict verdict);
 
-  /// A route is there: sends what waited for it.
+  /// A route was found: sends the messages that waited for it.
   void on_route(const std::string& topic, AgentId destination);
 
   Discovery& discovery() { return discovery_; }

@@ -17,8 +17,8 @@ std::uint32_t to_ms(Duration period) {
   return static_cast<std::uint32_t>(std::chrono::ceil<milliseconds>(period).count());
 }
 
-/// Whether a packet goes to one neighbour. A broadcast that asked for acknowledgements would set
-/// off all neighbours at once.
+/// Whether a packet goes to one neighbour. Acknowledgements of a broadcast would all be sent at the
+/// same time.
 bool is_unicast(const Packet& packet) {
   if (std::holds_alternative<ForwardAnt>(packet)) return false;
   const auto* data = std::get_if<Data>(&packet);

@@ -7,7 +7,7 @@
 namespace hal::node::routing {
 namespace {
 
-/// Names one kind of packet or frame each.
+/// Visitor that names one kind of packet or frame each.
 struct NameOf {
   NameControl name_control;
 

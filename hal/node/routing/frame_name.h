@@ -7,16 +7,16 @@
 
 namespace hal::node::routing {
 
-/// What the protocol calls a control packet of its own; "" if it is not its own.
+/// Returns the protocol's name of one of its own control packets; "" for those of others.
 using NameControl = std::string_view (*)(const Control& control);
 
 /// The name of a frame of frame.h.
 FrameName frame_name(std::span<const std::uint8_t> bytes, NameControl name_control);
 
-/// Of protocols without control packets.
+/// For protocols without control packets.
 inline std::string_view no_control(const Control&) { return {}; }
 
-/// Of protocols that choose otherwise than by weights.
+/// For protocols that do not choose routes by weights.
 inline std::optional<double> no_weight(const RoutingConfig&, const Route&) { return std::nullopt; }
 
 }  // namespace hal::node::routing

@@ -6,8 +6,8 @@
 namespace hal::node::routing {
 namespace {
 
-constexpr double kJitter = 0.25;  // of a period, at most: RFC 5148, 5.4
-constexpr LinkTag kNoTag = 0;     // nobody misses a hello
+constexpr double kJitter = 0.25;  // share of a period, at most: RFC 5148, 5.4
+constexpr LinkTag kNoTag = 0;     // results of hellos are ignored
 
 Duration part_of(Duration whole, double fraction) {
   return Duration{static_cast<std::int64_t>(static_cast<double>(whole.count()) * fraction)};
@@ -53,8 +53,8 @@ Time Hellos::deadline(const Watch& watch) const {
   return watch.last_heard + watch.period * node_.config.hello_limit + watch.period / 2;
 }
 
-/// One timer for all, at the first deadline. It is not moved with every frame: when it runs, it
-/// looks who has been heard since.
+/// Uses one timer for all neighbours, set to the first deadline. It is not moved with every frame:
+/// when it fires, it checks who has been heard since.
 void Hellos::wait_for(const Watch& watch) {
   if (!wake_at_ || deadline(watch) < *wake_at_) wait_until(deadline(watch));
 }

@@ -9,13 +9,14 @@
 
 namespace hal::node::routing {
 
-/// Announces this node to its neighbours, and detects neighbours that fall silent. A MAC with
+/// Announces this node to its neighbours, and detects neighbours that become silent. A MAC with
 /// transmit status detects that only when a frame to the neighbour fails.
 ///
 /// A hello is broadcast every hello_period, shortened at random by up to a quarter (RFC 5148, 5.1:
-/// otherwise neighbours that started together would collide for ever). Any frame counts as a sign
-/// of life. A neighbour is lost when it was silent for hello_limit periods, as its hellos state
-/// them, plus half a period for the delay of the last (G. Di Caro, F. Ducatelle, L. Gambardella,
+/// otherwise the hellos of neighbours that started together would always collide). Any frame shows
+/// that its transmitter is alive. A neighbour is lost when it was silent for hello_limit periods,
+/// as stated in its hellos, plus half a period for the delay of the last (G. Di Caro, F. Ducatelle,
+/// L. Gambardella,
 /// "AntHocNet", 2005: two missed hellos; hold times as in RFC 6130, 5.4.1).
 class Hellos {
  public:
@@ -46,7 +47,7 @@ class Hellos {
   Link& link_;
   std::function<void(AgentId)> on_silence_;
   std::vector<Watch> watched_;   ///< By address.
-  std::optional<Time> wake_at_;  ///< When the timer runs; none: there is none.
+  std::optional<Time> wake_at_;  ///< When the timer fires; nullopt: it is not set.
   OwnTimers::Handle timer_ = 0;
 };
 

@@ -6,7 +6,7 @@
 namespace hal::node::routing {
 namespace {
 
-/// Of frames that nobody misses. Without transmit status a tag is never given back.
+/// Tag of frames whose result is not needed. Without transmit status the link never returns a tag.
 constexpr LinkTag kUnwatched = 0;
 
 }  // namespace
@@ -40,7 +40,7 @@ void HopAcknowledgement::report_soon(LinkTag tag, Verdict verdict) {
   timers_.schedule(timers_.now(), [this, tag, verdict] { report_({tag, verdict}); });
 }
 
-/// Sends what waits for the neighbour, as far as the window allows.
+/// Sends waiting frames to the neighbour as far as the window allows.
 void HopAcknowledgement::fill(AgentId next_hop) {
   const auto found = lanes_.find(next_hop);
   if (found == lanes_.end()) return;
@@ -84,7 +84,7 @@ void HopAcknowledgement::give_up(AgentId neighbour) {
     failed.push_back(sent.tag);
   }
   for (const Waiting& waiting : lane.mapped().waiting) failed.push_back(waiting.tag);
-  // Who hears of one may send the next: nothing of the lane is used any more.
+  // The receiver of a report may send the next frame: do not access the lane any more.
   for (const LinkTag tag : failed) report_({tag, Verdict::kRetryLimit});
 }
 

@@ -18,17 +18,17 @@ namespace hal::node::routing {
 ///
 ///   transmit --> waiting --fewer than kWindow in flight--> in flight --hop ack--> kDelivered
 ///      |                                                    | ^
-///      +--buffer_limit wait--> kQueueFull       ack_timeout | | again, after twice the time
+///      +--buffer_limit wait--> kQueueFull       ack_timeout | | again, with twice the time-out
 ///                                                           v |
 ///                                            attempts left? --no--> kRetryLimit
 ///
-/// When a neighbour is given up, all frames for it fail. The window prevents a burst from flooding
-/// a queue below that drops frames without notice.
+/// When a neighbour is given up, all frames for it fail. The window prevents a burst from
+/// overflowing a lower-layer queue that drops frames without notice.
 ///
 /// Acknowledgements are explicit rather than passive (overhearing that the next hop forwards the
-/// frame): a socket gets unicast datagrams of others only with special privileges, the last hop
-/// does not forward, and a next hop that first has to search a route would appear dead. (DSR has
-/// both: RFC 4728, 8.3.2 and 8.3.3.) The default time-outs add up to 750 ms.
+/// frame): a socket receives unicast datagrams of others only with special privileges, the last hop
+/// does not forward, and a next hop that first has to search for a route would appear dead. (DSR
+/// has both: RFC 4728, 8.3.2 and 8.3.3.) The default time-outs add up to 750 ms.
 class HopAcknowledgement final : public Link {
  public:
   using Report = std::function<void(const Transmission&)>;
@@ -43,7 +43,7 @@ class HopAcknowledgement final : public Link {
   Duration expected_delay() const override { return link_.expected_delay(); }
   double transmit_energy(std::size_t bytes) const override { return link_.transmit_energy(bytes); }
 
-  /// Notes a frame that came in. @return whether it is the first copy.
+  /// Notes a received frame. @return whether it is the first copy.
   bool on_numbered(AgentId from, HopNumber number);
   void acknowledge(AgentId neighbour, HopNumber number);
   /// Unexpected acknowledgements (copies, late ones, forged ones) have no effect.
@@ -64,7 +64,7 @@ class HopAcknowledgement final : public Link {
     Duration timeout{};
     OwnTimers::Handle timer = 0;
   };
-  /// What is on its way to one neighbour.
+  /// Frames for one neighbour.
   struct Lane {
     std::deque<Waiting> waiting;
     std::map<HopNumber, InFlight> in_flight;
@@ -80,7 +80,7 @@ class HopAcknowledgement final : public Link {
   OwnTimers timers_;
   Report report_;
   HopNumber last_number_;
-  std::map<AgentId, Lane> lanes_;  ///< None is empty.
+  std::map<AgentId, Lane> lanes_;  ///< No lane is empty.
   Memory<std::pair<AgentId, HopNumber>, Seen> received_;
 };
 

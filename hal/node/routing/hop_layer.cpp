@@ -65,7 +65,7 @@ bool HopLayer::take(Packet packet, const Arrival& arrival) {
   return listener_.on_packet(std::move(packet), arrival);
 }
 
-/// The packet first, its acknowledgement after it: the message is in more of a hurry.
+/// Handles the packet before it acknowledges it, because the message is more urgent.
 bool HopLayer::take(Numbered numbered, const Arrival& arrival) {
   const AgentId from = arrival.reception.from;
   const bool is_first = acknowledgement_.on_numbered(from, numbered.number);

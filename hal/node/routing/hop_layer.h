@@ -12,15 +12,15 @@
 
 namespace hal::node::routing {
 
-/// Told of events of the one-hop layer below a multi-hop protocol.
+/// Receives events of the one-hop layer below a multi-hop protocol.
 class HopListener {
  public:
   virtual ~HopListener() = default;
   /// A packet arrived. @return false if its contents contradict its transmitter.
   virtual bool on_packet(Packet packet, const Arrival& arrival) = 0;
-  /// A neighbour did not answer, or fell silent. Called before on_sent of its messages.
+  /// A neighbour did not acknowledge, or became silent. Called before on_sent of its messages.
   virtual void on_no_answer(AgentId neighbour) = 0;
-  /// A message left, or did not: kRetryLimit if the next hop did not answer.
+  /// A message was transmitted, or was not: kRetryLimit if the next hop did not acknowledge.
   virtual void on_sent(Transit transit, Verdict verdict) = 0;
 };
 
@@ -38,11 +38,11 @@ class HopLayer final : private OutboxListener {
   Outbox& outbox() { return outbox_; }
   std::vector<Neighbour> neighbours() const { return neighbourhood_.known(); }
 
-  /// As those of Protocol.
+  /// As the functions of Protocol.
   bool on_frame(const Reception& reception, std::span<const std::uint8_t> bytes);
   void on_transmitted(const Transmission& transmission);
 
-  /// The protocol detected that a neighbour is lost: treated as if it had not answered.
+  /// The protocol has detected the loss of a neighbour: handled like a missing acknowledgement.
   void give_up(AgentId neighbour);
 
  private:

@@ -9,16 +9,16 @@
 
 namespace hal::node::routing {
 
-/// What a node has seen lately. Forgets each entry kSpan after it was first noted, and the oldest
-/// ones early if there are more than kMost.
+/// Remembers what a node has seen recently. Forgets an entry kSpan after it was first noted, and
+/// the oldest entries earlier if there are more than kMost.
 template <class Key, class Value>
 class Memory {
  public:
-  /// Longer than a packet can be on its way through a few nodes that wait for a route.
+  /// Longer than the travel time of a packet through a few nodes that search for a route.
   static constexpr Duration kSpan = std::chrono::seconds{60};
   static constexpr std::size_t kMost = 65536;
 
-  /// The entry, and whether it was made now.
+  /// The entry, and whether it is new.
   std::pair<Value&, bool> note(const Key& key, Time now) {
     forget(now);
     const auto [entry, is_new] = entries_.try_emplace(key);
@@ -26,7 +26,7 @@ class Memory {
     return {entry->second, is_new};
   }
 
-  /// Null if it was never noted, or is forgotten.
+  /// Null if it was never noted or is forgotten.
   const Value* find(const Key& key) const {
     const auto entry = entries_.find(key);
     return entry == entries_.end() ? nullptr : &entry->second;
@@ -46,13 +46,13 @@ class Memory {
   }
 
   std::map<Key, Value> entries_;
-  /// By age. Not a deque: an empty one takes half a kilobyte, and each of thousands of nodes has
-  /// several.
+  /// By age. A vector, because an empty deque takes half a kilobyte, and each of thousands of nodes
+  /// has several.
   std::vector<std::pair<Time, Key>> ages_;
-  std::size_t oldest_ = 0;  ///< In ages_; those before are forgotten.
+  std::size_t oldest_ = 0;  ///< Index in ages_; entries before it are forgotten.
 };
 
-/// For keys alone.
+/// Value type for sets of keys.
 struct Seen {};
 
 }  // namespace hal::node::routing

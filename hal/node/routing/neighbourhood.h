@@ -20,7 +20,7 @@ class Neighbourhood {
     observer_.on_neighbour(neighbour);
   }
 
-  /// Reported once per loss, however many frames to it were under way.
+  /// Reported once per loss, for any number of frames under way.
   void on_no_answer(AgentId neighbour) {
     const auto place = std::ranges::lower_bound(known_, neighbour, {}, &Neighbour::id);
     if (place == known_.end() || place->id != neighbour) return;
@@ -35,7 +35,8 @@ class Neighbourhood {
  private:
   Timers& timers_;
   RoutingObserver& observer_;
-  std::vector<Neighbour> known_;  ///< By address. Some twenty, asked for with every frame.
+  /// By address. About twenty entries, looked up for every frame.
+  std::vector<Neighbour> known_;
 };
 
 }  // namespace hal::node::routing

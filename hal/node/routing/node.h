@@ -9,7 +9,7 @@
 
 namespace hal::node::routing {
 
-/// What all parts of one router share.
+/// Shared by all parts of one router.
 struct Node {
   AgentId self;
   RoutingConfig config;
@@ -24,17 +24,17 @@ struct Node {
 
   void count(ProtocolEvent event) const { ports.observer.on_protocol_event(event); }
 
-  /// Runs the action after a random time of at most jitter_max; at once if that is 0. Neighbours
-  /// that answer one broadcast in the same instant would collide for certain.
+  /// Runs the action after a random time of at most jitter_max; at once if that is 0. Without
+  /// jitter, the answers of several neighbours to one broadcast would collide.
   void after_jitter(std::function<void()> action);
 
-  /// The way of an ant that came in with `frame_size` bytes, lengthened by the hop back to its
-  /// transmitter. Radio links are taken to be symmetric.
+  /// The path statistics of an ant that was received in a frame of `frame_size` bytes, extended by
+  /// the hop back to its transmitter. Radio links are assumed to be symmetric.
   PathStatistics lengthened(const PathStatistics& way, const Reception& hop,
                             std::size_t frame_size) const;
 };
 
-/// A frame as it came in.
+/// A received frame.
 struct Arrival {
   Reception reception;
   std::size_t size = 0;  ///< Bytes of the frame.

@@ -98,7 +98,7 @@ void OneHop::on_transmitted(const Transmission& transmission) {
   }
   if (transmission.verdict == Verdict::kRetryLimit) neighbourhood_.on_no_answer(destination);
   ports_.observer.on_message_end(self_, id, topic, transmission.verdict);
-  // Here it is the MAC that had it for too long, not a search for a route.
+  // Here the message expired in the MAC, not during a search for a route.
   const bool was_too_old = transmission.verdict == Verdict::kExpired;
   ports_.application.on_fate(id, was_too_old ? Fate::kFailed : fate_of(transmission.verdict));
 }

@@ -13,8 +13,8 @@ namespace hal::node::routing {
 
 /// Replaces routing with `RoutingConfig::algorithm` kNone: a message is one frame to its
 /// destination, or a broadcast (kNeighbours and kEveryone alike), and is not forwarded. Its fate is
-/// the link's verdict on that frame. The bytes of the frame, integers big-endian, 6 octets and the
-/// topic more than the payload:
+/// the link's verdict on that frame. The bytes of the frame, integers big-endian, 6 octets plus the
+/// topic and the payload:
 ///
 ///   octet  0       version 1 (high nibble), kind (low nibble): 7 to one node, 8 to the neighbours,
 ///                  9 to everyone
@@ -24,15 +24,15 @@ namespace hal::node::routing {
 /// Source and destination are those of the link's own frame.
 Bytes encode_one_hop(const Message& message);
 
-/// The message in a frame that `from` transmitted and `self` received; none if the bytes are not
+/// The message in a frame that `from` transmitted and `self` received; nullopt if the bytes are not
 /// such a frame.
 std::optional<Message> parse_one_hop(std::span<const std::uint8_t> bytes, AgentId from,
                                      AgentId self);
 
-/// Octets that such a frame has beside topic and payload.
+/// Octets of such a frame in addition to topic and payload.
 inline constexpr std::size_t kOneHopHeader = 6;
 
-/// One node's end of that.
+/// One node of that protocol.
 class OneHop final : public Protocol {
  public:
   OneHop(AgentId self, const RouterPorts& ports);
@@ -55,7 +55,7 @@ class OneHop final : public Protocol {
   const RouterPorts ports_;
   OwnTimers timers_;
   Neighbourhood neighbourhood_;
-  std::map<MessageId, Sent> sent_;  ///< That the link has not reported on.
+  std::map<MessageId, Sent> sent_;  ///< Messages that await the link's report.
 };
 
 }  // namespace hal::node::routing

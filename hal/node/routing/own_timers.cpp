@@ -11,7 +11,7 @@ OwnTimers::~OwnTimers() {
 
 OwnTimers::Handle OwnTimers::schedule(Time at, std::function<void()> handler) {
   const Handle own = ++last_;
-  // What is handed on is small enough to be kept without memory of its own.
+  // The scheduled closure is small enough for std::function to store it without allocation.
   const Timers::Handle handle = timers_.schedule(at, [this, own] { take_out(own).run(); });
   pending_.push_back({own, handle, std::move(handler)});
   return own;
@@ -22,7 +22,7 @@ void OwnTimers::cancel(Handle handle) {
   if (pending.own != 0) timers_.cancel(pending.handle);
 }
 
-/// Empty: it has run, or was cancelled.
+/// Empty if the timer has fired or was cancelled.
 OwnTimers::Pending OwnTimers::take_out(Handle own) {
   const auto place = std::ranges::lower_bound(pending_, own, {}, &Pending::own);
   if (place == pending_.end() || place->own != own) return {};

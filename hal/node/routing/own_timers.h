@@ -8,7 +8,7 @@
 
 namespace hal::node::routing {
 
-/// Timers of one part of a router: those still to come are cancelled with it.
+/// Timers of one part of a router: its destruction cancels those that are pending.
 class OwnTimers {
  public:
   explicit OwnTimers(Timers& timers) : timers_(timers) {}
@@ -32,7 +32,7 @@ class OwnTimers {
 
   Timers& timers_;
   Handle last_ = 0;
-  std::vector<Pending> pending_;  ///< By own handle. A few.
+  std::vector<Pending> pending_;  ///< By own handle. Few.
 };
 
 }  // namespace hal::node::routing

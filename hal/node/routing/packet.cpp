@@ -97,7 +97,7 @@ bool is_valid(const Header& header) {
          !is_broadcast(header.source) && header.source != header.destination;
 }
 
-// Bounds that no honest path reaches, so that sums over hops cannot overflow.
+// Bounds that no real path reaches, so that sums over hops cannot overflow.
 constexpr Duration kMaxDelay = std::chrono::hours{24};
 constexpr double kMaxEnergy = 1e9;  // J
 
@@ -106,7 +106,7 @@ bool is_valid(const PathStatistics& way) {
          way.energy >= 0 && way.energy <= kMaxEnergy;
 }
 
-/// A path visits no node twice, starts where the forward ant started, and leaves out `end`.
+/// Whether a path starts at `start`, visits no node twice, and does not contain `end`.
 bool is_valid(const std::vector<AgentId>& path, AgentId start, AgentId end) {
   if (path.empty() || path.front() != start) return false;
   std::vector<AgentId> nodes = path;

@@ -19,19 +19,21 @@ using Sequence = std::uint32_t;
 
 /// The common part of all packets.
 struct Header {
-  std::string topic;      ///< Message class, 1..kMaxTopic bytes.
-  AgentId source;         ///< The node that made the packet.
-  AgentId destination;    ///< Its final destination; kEveryone, kNeighbours: data only.
-  Sequence sequence = 0;  ///< Of the source; a backward ant repeats its forward ant's.
+  std::string topic;    ///< Message class, 1..kMaxTopic bytes.
+  AgentId source;       ///< The node that created the packet.
+  AgentId destination;  ///< Its final destination; kEveryone, kNeighbours: data only.
+  /// Numbered by the source; a backward ant repeats its forward ant's number.
+  Sequence sequence = 0;
   bool operator==(const Header&) const = default;
 };
 
-/// Searches a route: flooded from `source`, answered by `destination`.
+/// Searches for a route: flooded from `source`, answered by `destination`.
 struct ForwardAnt {
   Header header;
-  Time started{};             ///< When `source` sent it, by the clock of `source`.
-  std::vector<AgentId> path;  ///< `source` and every relay so far; the last one transmits.
-  PathStatistics way;         ///< From the transmitter back to `source`.
+  Time started{};  ///< When `source` sent it, by the clock of `source`.
+  /// `source` and every relay so far; the last one is the transmitter.
+  std::vector<AgentId> path;
+  PathStatistics way;  ///< From the transmitter back to `source`.
   bool operator==(const ForwardAnt&) const = default;
 };
 
@@ -40,16 +42,16 @@ struct ForwardAnt {
 struct BackwardAnt {
   Header header;
   std::vector<AgentId> path;  ///< Of the forward ant: path[0] is `destination`.
-  std::uint8_t position = 0;  ///< Index in `path` of the node this frame is for.
+  std::uint8_t position = 0;  ///< Index in `path` of the receiver of this frame.
   PathStatistics way;         ///< From the transmitter to `source`.
   bool operator==(const BackwardAnt&) const = default;
 };
 
-/// A message of an application on its way.
+/// An application message in transit.
 struct Data {
   Header header;
   MessageId id = 0;
-  std::uint8_t transmissions = 0;  ///< So far, this one included; at least 1 on the air.
+  std::uint8_t transmissions = 0;  ///< So far, including this one; at least 1 on the air.
   Bytes payload;
   bool operator==(const Data&) const = default;
 };
@@ -67,14 +69,14 @@ inline constexpr std::size_t kMaxControl = 2048;
 
 using Packet = std::variant<ForwardAnt, BackwardAnt, Data, Control>;
 
-/// Longest path of an ant, in nodes: its length travels in one byte.
+/// Longest path of an ant, in nodes: its length is transmitted in one byte.
 inline constexpr std::size_t kMaxPath = 255;
 
 /// The bytes of a packet on a link, integers big-endian:
 ///
 ///   octet  0       version (high nibble, 1) and kind (low nibble: 1 forward ant, 2 backward ant,
 ///                  3 data, 10 control)
-///   control        u8 protocol, its body to the end of the frame; of the others
+///   control        u8 protocol, its body to the end of the frame; all other kinds:
 ///          1       length of the topic, then the topic
 ///          u16 source, u16 destination, u32 sequence, then by kind
 ///   forward ant    i64 started [ns], way, path
@@ -82,11 +84,11 @@ inline constexpr std::size_t kMaxPath = 255;
 ///   data           u32 message id, u8 transmissions, payload to the end of the frame
 ///
 /// way: u16 hops, i64 delay [ns], f64 minimum SNR [dB], f64 energy [J]; path: u8 count, u16 each.
-/// @pre the packet keeps the rules that parse() checks.
+/// @pre the packet satisfies the rules that parse() checks.
 Bytes encode(const Packet& packet);
 
-/// The packet in a frame; none if the frame breaks any rule: length, ranges, an ant whose path,
-/// position and hop count contradict each other.
+/// The packet in a frame; nullopt if the frame violates a rule: length, ranges, or an ant whose
+/// path, position and hop count contradict each other.
 std::optional<Packet> parse(std::span<const std::uint8_t> frame);
 
 }  // namespace hal::node::routing

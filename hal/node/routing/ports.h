@@ -16,45 +16,46 @@
 
 namespace hal::node::routing {
 
-/// What a link can tell about its frames. Routing also works over a link that has neither.
+/// What a link can report about its frames. Routing also works over a link that reports neither.
 struct LinkCapabilities {
-  /// Calls Router::on_transmitted for every frame. Without it the router finds out by itself
-  /// whether a hop works: hop acknowledgements and hellos (RoutingConfig).
+  /// Calls Router::on_transmitted for every frame. Without it the router determines by itself
+  /// whether a hop works: by hop acknowledgements and hellos (RoutingConfig).
   bool tx_status = false;
-  /// Gives Reception::rssi_dbm and snr_db. Without it Neighbour::rssi_dbm and
-  /// PathStatistics::min_snr_db are 0 and mean nothing.
+  /// Provides Reception::rssi_dbm and snr_db. Without it Neighbour::rssi_dbm and
+  /// PathStatistics::min_snr_db are 0 and have no meaning.
   bool rssi = false;
 };
 
-/// How a frame came in.
+/// Properties of a received frame.
 struct Reception {
   AgentId from;         ///< The neighbour that transmitted it; never the node itself.
-  double rssi_dbm = 0;  ///< 0 without LinkCapabilities::rssi …
-  double snr_db = 0;    ///< … and so is this.
+  double rssi_dbm = 0;  ///< 0 without LinkCapabilities::rssi.
+  double snr_db = 0;    ///< 0 without LinkCapabilities::rssi.
 };
 
-/// Names a frame handed to the link in its on_transmitted.
+/// Identifies a frame passed to the link in its on_transmitted.
 using LinkTag = std::uint64_t;
 
-/// What happened to a frame, over a link with transmit status: kDelivered (acknowledged; a
+/// The result of a frame, over a link with transmit status: kDelivered (acknowledged; a
 /// broadcast: transmitted), kRetryLimit, kQueueFull, kRadioOff.
 struct Transmission {
   LinkTag tag = 0;
   Verdict verdict = Verdict::kDelivered;
 };
 
-/// One hop. The simulator's MAC, or a UDP socket.
+/// Transmits over one hop: the simulator's MAC, or a UDP socket.
 class Link {
  public:
   virtual ~Link() = default;
-  /// The same from the router's construction on.
+  /// Constant from the router's construction on.
   virtual LinkCapabilities capabilities() const = 0;
 
   /// Queues a frame for one neighbour, or for all of them (kEveryone). Never calls back before it
   /// returns.
   virtual void transmit(AgentId next_hop, Bytes frame, LinkTag tag) = 0;
 
-  /// Time the link needs for a frame queued now, for the delay statistics; and the energy [J].
+  /// Expected time until a frame queued now is transmitted, for the delay statistics; and energy
+  /// [J].
   virtual Duration expected_delay() const = 0;
   virtual double transmit_energy(std::size_t bytes) const = 0;
 };
@@ -66,20 +67,20 @@ class Timers {
   using Handle = std::uint64_t;  ///< Never 0.
   virtual Time now() const = 0;
   virtual Handle schedule(Time at, std::function<void()> handler) = 0;
-  virtual void cancel(Handle handle) = 0;  ///< Of a timer that has run: no effect.
+  virtual void cancel(Handle handle) = 0;  ///< No effect on a timer that has fired.
 };
 
 /// The application above: the agent.
 class Application {
  public:
   virtual ~Application() = default;
-  /// A message has arrived. @param transmissions  on its way, the last hop included.
+  /// A message has arrived. @param transmissions  number of hops so far, including the last one.
   virtual void on_message(Message message, int transmissions) = 0;
-  /// Exactly once per message this node sent.
+  /// Called exactly once per message that this node sent.
   virtual void on_fate(MessageId id, Fate fate) = 0;
 };
 
-/// Told of the observable events of a router, for records, fingerprints and the controllers'
+/// Receives the observable events of a router, for records, fingerprints and the controllers'
 /// Network.
 class RoutingObserver {
  public:
@@ -92,14 +93,14 @@ class RoutingObserver {
                             bool found) {
     (void)topic, (void)destination, (void)took, (void)found;
   }
-  /// A message ended here, at a node on its way or at its end. kDelivered: at its destination;
-  /// for a flood, once per node that it reached. `sent_by` and `id` name the message. Of a message
-  /// with copies on several ways, kDelivered wins over the end of another copy.
+  /// A message ended at this node, its destination or a relay. kDelivered: at its destination; for
+  /// a flood, once per node that it reached. `sent_by` and `id` identify the message. If a message
+  /// has copies on several paths, kDelivered takes precedence over the end of another copy.
   virtual void on_message_end(AgentId sent_by, MessageId id, std::string_view topic,
                               Verdict verdict) {
     (void)sent_by, (void)id, (void)topic, (void)verdict;
   }
-  /// The protocol did something that is counted.
+  /// The protocol reports an event that is counted.
   virtual void on_protocol_event(ProtocolEvent event) { (void)event; }
 };
 
@@ -111,7 +112,7 @@ struct RouterPorts {
   RoutingObserver& observer;
 };
 
-/// Random streams of one router. Repeated searches have a stream of their own, so that they do not
+/// Random streams of one router. Repeated searches have their own stream, so that they do not
 /// change the numbers of the rest.
 struct RouterStreams {
   RandomStream random;   ///< "<agent>/routing": jitter of relays and hellos, choice of next hops.

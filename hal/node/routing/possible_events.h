@@ -7,9 +7,9 @@
 
 namespace hal::node::routing {
 
-/// What a router can do with an algorithm: a count of one of these that nobody made is 0, a count
-/// of another does not exist.
-/// @param tells_of_frames  the link tells what became of each frame; else nodes say hello.
+/// Events that a router can count with an algorithm: those that did not occur have the count 0; for
+/// all others there is no count.
+/// @param tells_of_frames  the link reports the result of each frame; otherwise nodes send hellos.
 std::set<ProtocolEvent> possible_events(Algorithm algorithm, bool tells_of_frames);
 
 }  // namespace hal::node::routing

@@ -27,13 +27,13 @@ class Protocol {
   virtual std::vector<Route> routes() const = 0;
   virtual std::vector<Neighbour> neighbours() const = 0;
 
-  /// @pre from another node.
-  /// @return false: the frame is malformed, or contradicts how it came in.
+  /// @pre the frame is from another node.
+  /// @return false: the frame is malformed, or contradicts its reception.
   virtual bool on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) = 0;
   virtual void on_transmitted(const Transmission& transmission) = 0;
 };
 
-/// Of a ProtocolKind whose class is made of just that.
+/// ProtocolKind::make for a class whose constructor has these parameters.
 template <class Made>
 std::unique_ptr<Protocol> make_as(AgentId self, const RoutingConfig& config,
                                   const RouterStreams& streams, const RouterPorts& ports) {
@@ -41,7 +41,7 @@ std::unique_ptr<Protocol> make_as(AgentId self, const RoutingConfig& config,
 }
 
 /// The protocol that `config.algorithm` names.
-/// @pre every value that it uses is in the range its comment gives; aborts otherwise.
+/// @pre every value that it uses is in the range stated in its comment; aborts otherwise.
 std::unique_ptr<Protocol> make_protocol(AgentId self, const RoutingConfig& config,
                                         const RouterStreams& streams, const RouterPorts& ports);
 

@@ -10,7 +10,8 @@ struct EventName {
   std::string_view name;
 };
 
-/// In the order of the enumeration. A switch, as elsewhere, would be longer than a function may be.
+/// In the order of the enumeration. A table, because a switch would exceed the length limit of a
+/// function.
 constexpr std::array<EventName, kProtocolEvents> kEventNames{{
     {ProtocolEvent::kNeighbourLost, "neighbour lost"},
     {ProtocolEvent::kHelloSent, "hello sent"},

@@ -9,47 +9,51 @@ namespace hal::node::routing {
 /// Events of routing protocols that are counted. Add new ones before kCount, with a name in
 /// protocol_event.cpp.
 enum class ProtocolEvent : std::uint8_t {
-  kNeighbourLost,  ///< It did not answer, or was silent for too long.
+  /// A neighbour did not acknowledge, or was silent for too long.
+  kNeighbourLost,
   kHelloSent,
   // Ants.
-  kForwardAntSent,      ///< A search for a route, each try.
-  kForwardAntRelayed,   ///< Broadcast on.
-  kForwardAntAnswered,  ///< At its destination: a backward ant sets out.
+  kForwardAntSent,      ///< For a search, each try.
+  kForwardAntRelayed,   ///< Broadcast by a relay.
+  kForwardAntAnswered,  ///< At its destination, which sends a backward ant.
   kBackwardAntRelayed,
-  kBackwardAntHome,  ///< It came to the node that searched.
+  kBackwardAntHome,  ///< It reached the node that searched.
   // Floods of messages.
   kFloodRelayed,
-  kFloodCopyDropped,  ///< A message that this node had already.
+  kFloodCopyDropped,  ///< A message that this node had received before.
   // AODV (RFC 3561).
   kRreqSent,          ///< By the node that searches, each try.
-  kRreqForwarded,     ///< Broadcast on.
-  kRreqDelayed,       ///< RREQ_RATELIMIT.
+  kRreqForwarded,     ///< Broadcast by a relay.
+  kRreqDelayed,       ///< By RREQ_RATELIMIT.
   kRrepSent,          ///< By the destination.
-  kRrepSentForOther,  ///< By a node on the way that has a route.
+  kRrepSentForOther,  ///< By a relay that has a route.
   kRrepGratuitous,
   kRrepForwarded,
-  kRrepReceived,     ///< By the node that searched.
-  kRrepLost,         ///< The next hop towards that one did not answer, and is blacklisted.
-  kRreqBlacklisted,  ///< Ignored: came over a link that carries one way only.
+  kRrepReceived,  ///< By the node that searched.
+  /// The next hop towards the originator did not acknowledge, and is blacklisted.
+  kRrepLost,
+  kRreqBlacklisted,  ///< Ignored: it came over a unidirectional link.
   kRerrSent,
   kRerrReceived,
-  kRerrSuppressed,  ///< RERR_RATELIMIT.
+  kRerrSuppressed,  ///< By RERR_RATELIMIT.
   kLocalRepairStarted,
   kLocalRepairDone,
   kLocalRepairFailed,
-  // AntHocNet, beside those of ants. What it broadcasts on counts as relayed.
+  // AntHocNet, in addition to those of ants. A broadcast by a relay counts as relayed.
   kProactiveAntSent,
   kRepairAntSent,
-  kForwardAntPassedOn,  ///< Unicast, where pheromone leads.
-  kForwardAntDropped,   ///< A copy that is not good enough, or an ant whose broadcasts are used up.
-  kPheromoneBootstrapped,  ///< From one target of a neighbour's hello.
+  kForwardAntPassedOn,  ///< Unicast along pheromone.
+  /// A copy that is not good enough, or an ant that has used up its broadcasts.
+  kForwardAntDropped,
+  kPheromoneBootstrapped,  ///< From one target in a neighbour's hello.
   kLossNoticeSent,
   kLossNoticeReceived,
-  kWarningSent,  ///< A message came for which there is no trail.
+  kWarningSent,  ///< For a received message without a trail.
   kWarningReceived,
   kRepairSucceeded,
   kRepairFailed,
-  kMessageSalvaged,  ///< The next hop did not answer, and the message is not given up yet.
+  /// The next hop did not acknowledge, and the message is sent on another trail or waits for one.
+  kMessageSalvaged,
   kCount,
 };
 inline constexpr std::size_t kProtocolEvents = static_cast<std::size_t>(ProtocolEvent::kCount);

@@ -7,7 +7,7 @@
 
 namespace hal::node::routing {
 
-/// Limits the number of events in any second.
+/// Limits the number of events within any second.
 class RateLimit {
  public:
   /// @param per_second  >= 1.
@@ -28,7 +28,7 @@ class RateLimit {
   static constexpr Duration kSpan = std::chrono::seconds{1};
 
   std::size_t per_second_;
-  std::vector<Time> last_;  ///< The latest, at most per_second_ of them, by time.
+  std::vector<Time> last_;  ///< Times of the latest events, at most per_second_.
 };
 
 }  // namespace hal::node::routing

@@ -12,23 +12,23 @@
 namespace hal::node::routing {
 
 /// The routes of one node: per message class and destination, every next hop that leads there.
-/// Tells the observer of each difference, in order of (topic, destination, next hop).
+/// Reports each change to the observer, in the order of (topic, destination, next hop).
 class RouteTable {
  public:
   explicit RouteTable(RoutingObserver& observer) : observer_(observer) {}
 
-  /// Message classes that a node keeps routes of: those of 64 agents with as many topics as they
-  /// may have. Ants come from anybody; without a limit they could fill the memory.
+  /// Maximum number of message classes with routes: those of 64 agents with the permitted number of
+  /// topics each. Ants come from any node; without a limit they could exhaust the memory.
   static constexpr std::size_t kMostClasses = 64 * kMaxTopics;
 
-  /// Adds an entry, or replaces the path of the one with this next hop. No effect if it would be
-  /// the first of a class and there are kMostClasses.
+  /// Adds an entry, or replaces the path of the entry with this next hop. No effect if it would
+  /// start a class and there are kMostClasses.
   void install(const Route& route);
 
   /// Removes every route of a class to a destination.
   void remove(std::string_view topic, AgentId destination);
 
-  /// Removes every route that starts with this neighbour.
+  /// Removes every route via this neighbour.
   void remove_via(AgentId next_hop);
 
   /// By next hop; empty if there is none.

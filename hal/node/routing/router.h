@@ -17,9 +17,9 @@ class Protocol;
 
 /// Routing of one node, by the protocol that RoutingConfig::algorithm names.
 ///
-/// Over a link without tx_status each unicast frame is acknowledged by the next hop's router and
-/// repeated until it is (hop_acknowledgement.h), and neighbours are known by their hellos
-/// (hello.h). With Algorithm::kNone nothing of this: each message is one frame (one_hop.h).
+/// Over a link without tx_status each unicast frame is repeated until the next hop's router
+/// acknowledges it (hop_acknowledgement.h), and hellos reveal the neighbours (hello.h). With
+/// Algorithm::kNone there is none of this: each message is one frame (one_hop.h).
 ///
 /// Portable node code: time, radio and random numbers are parameters. One thread.
 class Router {
@@ -32,29 +32,30 @@ class Router {
 
   /// Sends a message of this node: `message.source` is self, `message.destination` another node or
   /// kEveryone. Its fate is reported once through Application::on_fate, never from within send():
-  /// kHandedOver when the first hop acknowledged it (a flood: it was transmitted, or, without
-  /// tx_status, the link took it), else why it could not be.
+  /// kHandedOver when the first hop acknowledged it (a flood: when it was transmitted or, without
+  /// tx_status, accepted by the link), otherwise the reason of the failure.
   /// @pre id > 0, topic and payload within kMaxTopic and kMaxPayload; aborts otherwise.
   void send(const Message& message);
 
-  /// Forgets all routes of the class to the destination, here only. Discoveries go on.
+  /// Forgets all routes of the class to the destination, at this node only. Running discoveries
+  /// continue.
   void invalidate(std::string_view topic, AgentId destination);
 
   /// Routes by next hop; empty if there is none.
   std::vector<Route> routes(std::string_view topic, AgentId destination) const;
 
   /// All routes, by topic, destination and next hop; and the neighbours, by address. For users that
-  /// did not observe the router from its beginning.
+  /// did not observe the router from the start.
   std::vector<Route> routes() const;
   std::vector<Neighbour> neighbours() const;
 
-  /// From the link: any bytes from any sender; malformed frames are dropped and counted.
+  /// From the link: any bytes from any transmitter; malformed frames are dropped and counted.
   void on_frame(const Reception& reception, std::span<const std::uint8_t> bytes);
   /// From the link; ignored if it has no tx_status.
   void on_transmitted(const Transmission& transmission);
 
-  /// Frames that could not be parsed, came from this node or from kEveryone, or were of the
-  /// protocol and contradict how they came in.
+  /// Frames that could not be parsed, were transmitted by this node or by kEveryone, or belong to
+  /// the protocol but contradict their reception.
   std::uint64_t malformed_frames() const;
 
  private:

@@ -25,10 +25,10 @@ struct RouteChoice {
 
 /// Parameters of the routing protocols. Defaults: the replica of the paper's case study.
 struct RoutingConfig {
-  Algorithm algorithm = Algorithm::kAnts;  ///< kNone: nothing below counts.
+  Algorithm algorithm = Algorithm::kAnts;  ///< kNone: no other value is used.
 
-  /// Ants.
-  RouteChoice choice{};                                       ///< Of classes without their own.
+  // Ants.
+  RouteChoice choice{};                                       ///< For classes without their own.
   std::map<std::string, RouteChoice, std::less<>> classes{};  ///< By topic.
   const RouteChoice& choice_of(std::string_view topic) const {
     const auto own = classes.find(topic);
@@ -36,30 +36,39 @@ struct RoutingConfig {
   }
   Duration jitter_max = 100ms;  ///< Rebroadcasts wait U(0, jitter_max); >= 0.
   Duration retry_period = 5s;   ///< Between discoveries of one destination; > 0.
-  /// 0..1: each retry comes earlier than that by U(0, retry_jitter) of it. Nodes whose first ants
-  /// collided would otherwise repeat them together for ever (RFC 5148, 5.1). Earlier, not later, so
-  /// that the messages that wait still profit from it.
+  /// 0..1: each retry comes earlier by U(0, retry_jitter) times that period. Otherwise nodes whose
+  /// first ants collided would always repeat them simultaneously (RFC 5148, 5.1). Earlier, not
+  /// later, so that waiting messages still benefit from it.
   double retry_jitter = 0.25;
-  int retries = 3;  ///< Discoveries in all before the route is given up, >= 1.
-  /// >= 1: later copies of an ant: at most this times the best, in hops …
+  /// Discoveries in total before the route is given up, >= 1.
+  int retries = 3;
+  /// a >= 1 of the acceptance rule h <= a h_best and T <= a T_best, by which later copies of an ant
+  /// are accepted, h its hops and T its travel time (G. Di Caro, F. Ducatelle, L. Gambardella,
+  /// "AntHocNet: an ant-based hybrid routing algorithm for mobile ad hoc networks", PPSN VIII,
+  /// 2004, 3.1).
   double acceptance = 1.5;
-  bool accept_anywhere = false;     ///< … at every node; else only at the destination.
-  int hop_limit = 30;               ///< Of ants, floods and data, 1..255.
-  std::uint32_t buffer_limit = 64;  ///< Messages that wait for one route or next hop.
-  Duration buffer_age = 10s;        ///< A message waits for a route no longer than this; > 0.
+  bool accept_anywhere = false;  ///< Accept at every node; false: only at the destination.
+  /// Maximum number of hops of ants, floods and data, 1..255.
+  int hop_limit = 30;
+  /// Maximum number of messages that wait for one route or next hop.
+  std::uint32_t buffer_limit = 64;
+  /// Longest time for which a message waits for a route; > 0.
+  Duration buffer_age = 10s;
 
   AodvConfig aodv{};
   AntHocNetConfig anthocnet{};
 
-  /// Over a link without transmit status only (hop_acknowledgement.h, hello.h).
-  Duration ack_timeout = 50ms;    ///< Until a frame is repeated, doubled each time; > 0.
-  int ack_attempts = 4;           ///< Transmissions before a hop counts as failed, 1..16.
-  Duration hello_period = 1s;     ///< Between two hellos; 1 ms..1 h.
-  std::uint32_t hello_limit = 2;  ///< Hellos in a row that a neighbour may miss, >= 1.
+  // Used only over a link without transmit status (hop_acknowledgement.h, hello.h).
+  /// Time until a frame is repeated, doubled each time; > 0.
+  Duration ack_timeout = 50ms;
+  int ack_attempts = 4;        ///< Transmissions before a hop counts as failed, 1..16.
+  Duration hello_period = 1s;  ///< Time between two hellos; 1 ms..1 h.
+  /// Successive hellos of a neighbour that may be lost, >= 1.
+  std::uint32_t hello_limit = 2;
 
-  /// Numbers of this node's packets start after this one. Others remember numbers for a minute: a
-  /// node that may restart draws it anew each time, below 2^31, or they take its packets for
-  /// copies. Simulated nodes start at 0.
+  /// Numbers of this node's packets start after this one. Other nodes remember numbers for a
+  /// minute, so a node that may restart draws a new value each time, below 2^31; otherwise its
+  /// packets would be taken for duplicates. Simulated nodes start at 0.
   std::uint32_t first_sequence = 0;
 };
 

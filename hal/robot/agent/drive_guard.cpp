@@ -30,10 +30,10 @@ Result<void> DriveGuard::drive(const Twist2& body, Time as_of) {
   if (result.saturated) ++counts_.limited;
   auto driven = wheels_.drive(twist, loop_.on_boot_clock(as_of));
   if (!driven) ++counts_.not_connected;
-  // What the driver repeats must not be an older velocity than the one that it did not take.
+  // The driver must not repeat an older velocity after it refused this one.
   if (!driven) wheels_.stop();
   turning_ = driven.has_value() && moves;
-  // Another thread may have pulled the emergency stop between the look at it and the command.
+  // Another thread may have requested the emergency stop since the check above.
   if (is_emergency_stopped()) halt();
   if (turning_ && timer_ == 0) watch();
   return driven;
@@ -48,7 +48,7 @@ void DriveGuard::feed(Time as_of) {
   wheels_.keep(loop_.on_boot_clock(as_of));
 }
 
-/// One timer that looks now and then, instead of one that is moved with every answer.
+/// Uses one timer that checks occasionally, instead of moving a timer with every answer.
 void DriveGuard::watch() {
   timer_ = 0;
   if (!turning_) return;

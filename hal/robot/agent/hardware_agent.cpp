@@ -44,7 +44,7 @@ HardwareAgent::~HardwareAgent() {
 }
 
 std::vector<node::exchange::AgentOffer> HardwareAgent::offers() const {
-  if (courier_) return {};  // driven by somebody in this process
+  if (courier_) return {};  // a process drives it already
   return {sampler_.offer()};
 }
 
@@ -75,7 +75,7 @@ void HardwareAgent::disconnect(const std::vector<AgentId>& agents) {
   if (std::ranges::find(agents, file_.address) != agents.end()) let_go();
 }
 
-/// Wheels first: whatever else there is to be done, they must stand.
+/// Stops the wheels before anything else.
 void HardwareAgent::let_go() {
   core_.halt();
   if (!courier_) return;
@@ -103,7 +103,7 @@ void HardwareAgent::schedule_cycle(Time at) {
   cycle_ = loop_.schedule(at, [this, at] { on_cycle(at); });
 }
 
-/// Cycles keep to their grid; those that the loop came too late for are left out.
+/// Cycles keep their period; those that are due before the loop runs again are skipped.
 void HardwareAgent::on_cycle(Time due) {
   const Duration late = loop_.now() - due;
   counts_.latest_cycle = std::max(counts_.latest_cycle, late);
@@ -139,7 +139,8 @@ void HardwareAgent::on_state(AgentId, const std::string& state) {
   log::info(loop_.now(), file_.name, "state {}", state);
 }
 
-/// After what else is due now: events of one moment travel together.
+/// Schedules attend() after everything else that is due now, so that simultaneous events travel
+/// together.
 void HardwareAgent::attend_soon() {
   if (attending_ != 0) return;
   attending_ = loop_.schedule(loop_.now(), [this] {
@@ -161,8 +162,8 @@ void HardwareAgent::attend() {
 }
 
 void HardwareAgent::take_in(const Courier::Turn& turn) {
-  answered_at_ =
-      loop_.now();  // Whatever holds up this thread from here on makes the answers older.
+  // Any later delay in this thread makes the answers older.
+  answered_at_ = loop_.now();
   const bool stale = Courier::is_stale(turn, answered_at_, file_.command_timeout);
   if (stale) core_.halt();
   if (guard_ && turn.replied && !stale) guard_->feed(answered_at_);
@@ -170,7 +171,7 @@ void HardwareAgent::take_in(const Courier::Turn& turn) {
     if (!courier_) break;
     take_effect(answer.action, stale);
   }
-  // In process the answer is there already, and no descriptor will tell.
+  // A controller in this process has answered already, and there is no descriptor to signal that.
   if (turn.began && watches_.empty()) attend_soon();
   const bool is_last = stopping_ && courier_ && courier_->is_idle() && !courier_->has_waiting();
   if (is_last) let_go();
@@ -181,10 +182,10 @@ void HardwareAgent::take_effect(const Action& action, bool stale) {
   ++counts_.actions;
   if (const auto* failed = std::get_if<node::exchange::ControllerFailed>(&action.what))
     return end_with_error(failed->text);
-  (void)core_.apply(action, answered_at_);  // which counts and logs what it refuses
+  (void)core_.apply(action, answered_at_);  // counts and logs refusals itself
 }
 
-/// The controller threw. STOP tells its process that this agent is done with it.
+/// The controller threw an exception. STOP tells its process that this agent is finished with it.
 void HardwareAgent::end_with_error(const std::string& text) {
   if (stopping_) return;
   log::write(log::Level::kError, loop_.now(), file_.name, "the controller failed: " + text);

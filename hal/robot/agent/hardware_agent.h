@@ -18,28 +18,29 @@
 
 namespace hal::robot::agent {
 
-/// What an agent did that its controller does not know of, since the start.
+/// Counts, since the start, of events in an agent that its controller cannot see.
 struct AgentCounts {
-  std::uint64_t controllers = 0;      ///< Processes that drove it, one after the other.
-  std::uint64_t steps = 0;            ///< Handed over …
-  std::uint64_t events = 0;           ///< … with these.
-  std::uint64_t actions = 0;          ///< Taken …
-  std::uint64_t refused_actions = 0;  ///< … or refused.
-  std::uint64_t overruns = 0;         ///< Control cycles left out: the loop came too late.
-  std::uint64_t missed_cycles = 0;    ///< Control cycles left out: the controller was busy.
-  std::uint64_t overflow = 0;         ///< Events that found no room while the controller was busy.
-  Duration latest_cycle{};            ///< Worst delay of a control cycle.
+  std::uint64_t controllers = 0;      ///< Successive processes that drove it.
+  std::uint64_t steps = 0;            ///< Handed over to controllers.
+  std::uint64_t events = 0;           ///< In these steps.
+  std::uint64_t actions = 0;          ///< Actions accepted.
+  std::uint64_t refused_actions = 0;  ///< Actions refused.
+  std::uint64_t overruns = 0;         ///< Control cycles skipped because the loop was late.
+  std::uint64_t missed_cycles = 0;    ///< Control cycles skipped because the controller was busy.
+  /// Events lost because the queue was full while the controller was busy.
+  std::uint64_t overflow = 0;
+  Duration latest_cycle{};  ///< Largest delay of a control cycle.
 };
 
-/// A real robot or mote as an AgentHost: its core, whose ports end in the event loop, a UDP link
-/// and the drivers of real devices.
+/// A real robot or mote as an AgentHost. It connects an AgentCore to the event loop, a UDP link and
+/// the drivers of real devices.
 ///
 ///   no controller ──connect: START──▶ driven ──stop(): STOP──▶ over
 ///          ▲                             │
-///          └── disconnect; it died ──────┘   wheels stop; radio and routing live on
+///          └── disconnect; it died ──────┘   wheels stop; radio and routing continue
 ///
-/// Time is that of the loop. An action takes effect when it arrives. One thread, the loop's, except
-/// set_emergency_stop().
+/// Times are those of the loop. An action takes effect when it arrives. Only the loop's thread,
+/// except for set_emergency_stop().
 class HardwareAgent final : public node::exchange::AgentHost, private node::agent::AgentListener {
  public:
   struct Surroundings {
@@ -61,21 +62,22 @@ class HardwareAgent final : public node::exchange::AgentHost, private node::agen
   /// @pre the agent has no controller.
   void connect(std::shared_ptr<node::exchange::ControllerPort> port,
                const std::vector<AgentId>& agents, const Wants& wants) override;
-  /// The agent's controller is gone; without one: no effect.
+  /// The agent's controller is gone. No effect if it has none.
   void disconnect(const std::vector<AgentId>& agents) override;
 
   bool has_controller() const { return courier_.has_value(); }
 
-  /// Devices, and the network, that give nothing now; empty: the agent is all there.
+  /// Devices, and the network, that deliver nothing now; empty: all work.
   std::vector<SilentDevice> silent() const;
 
   /// Latched until it is released. Any thread.
   void set_emergency_stop(bool stop, StopSource source);
   bool is_emergency_stopped() const { return guard_ && guard_->is_emergency_stopped(); }
 
-  /// The wheels stop, then the controller gets its STOP. From now on it can do no more than talk.
+  /// Stops the wheels, then sends STOP to the controller, whose later actions take effect only if
+  /// exchange::is_word() holds.
   void stop();
-  /// After stop(): the controller has answered, or is gone.
+  /// After stop(): whether the controller has answered, or is gone.
   bool is_over() const { return !courier_; }
 
   AgentCounts counts() const;
@@ -101,15 +103,15 @@ class HardwareAgent final : public node::exchange::AgentHost, private node::agen
   const RobotFile& file_;
   Surroundings surroundings_;
   platform::EventLoop& loop_;
-  std::optional<DriveGuard> guard_;  ///< None without wheels.
+  std::optional<DriveGuard> guard_;  ///< nullopt without wheels.
   Sampler sampler_;
   SensorWatch sensor_watch_;
   node::agent::AgentCore core_;
-  std::optional<node::exchange::Courier> courier_;   ///< None without a controller.
+  std::optional<node::exchange::Courier> courier_;   ///< nullopt without a controller.
   std::vector<platform::EventLoop::Watch> watches_;  ///< Of the courier's descriptors.
   platform::EventLoop::Handle cycle_ = 0, attending_ = 0;
   bool stopping_ = false;
-  Time answered_at_{};  ///< When the answers came in that take effect now.
+  Time answered_at_{};  ///< Arrival of the answers that take effect now.
   AgentCounts counts_;
 };
 

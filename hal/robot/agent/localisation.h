@@ -10,19 +10,19 @@
 
 namespace hal::robot::agent {
 
-/// Where this agent is, world frame.
+/// Measured pose of this agent in the world frame.
 struct PoseFix {
   Pose2 pose;
-  platform::BootTime stamp;  ///< When it came in here.
+  platform::BootTime stamp;  ///< Time of its arrival here.
 };
 
-/// Tells where the agent is: motion capture, a localisation node, or the file of an agent that does
-/// not move. For `driver: pose_topic` a reader of DDS stands behind it; the program joins them.
+/// Provides the agent's pose from motion capture, a localisation node, or the file of an agent that
+/// does not move. For `driver: pose_topic` it is a DDS reader, which the program supplies.
 class PoseSource {
  public:
   virtual ~PoseSource() = default;
 
-  /// The last fix, whatever its age. Returns at once, any thread. Errors: kNotAvailable (none yet).
+  /// The last fix, of any age. Does not block; any thread. Errors: kNotAvailable (none yet).
   virtual Result<PoseFix> pose() const = 0;
 };
 
@@ -36,7 +36,7 @@ class StaticPose final : public PoseSource {
   Pose2 pose_;
 };
 
-/// Another agent whose place is known beforehand.
+/// Another agent with a known position.
 struct Landmark {
   AgentId agent;
   std::string name;

@@ -17,9 +17,10 @@ using files::description::as;
 using files::description::Fields;
 
 constexpr files::config::Range kCoordinate{-1e6, 1e6};  // m
-constexpr files::config::Range kAngle{-10, 10};         // rad, more than a full turn either way
+constexpr files::config::Range kAngle{-10, 10};  // rad, more than a full turn in either direction
 
-enum class Driver : std::uint8_t { kNone, kPoseTopic, kStatic };  // as LocalisationSettings::source
+// in the order of LocalisationSettings::source
+enum class Driver : std::uint8_t { kNone, kPoseTopic, kStatic };
 constexpr std::array kDrivers = {Option<Driver>{"none", Driver::kNone},
                                  Option<Driver>{"pose_topic", Driver::kPoseTopic},
                                  Option<Driver>{"static", Driver::kStatic}};

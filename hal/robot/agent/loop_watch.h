@@ -11,11 +11,11 @@
 
 namespace hal::robot::agent {
 
-/// Stops the wheels when the loop itself hangs, in a system call or a bug: the driver's own thread
-/// would go on repeating the last velocity for ever.
+/// Stops the wheels when the loop hangs, in a system call or because of a bug: the driver's own
+/// thread would otherwise keep repeating the last velocity.
 class LoopWatch {
  public:
-  /// @param limit  longest silence of the loop, > 0.  Loop and wheels outlive the watch.
+  /// @param limit  longest permitted silence of the loop, > 0.  Loop and wheels outlive the watch.
   LoopWatch(platform::EventLoop& loop, drivers::WheelDriver& wheels, Duration limit);
   ~LoopWatch();
   LoopWatch(const LoopWatch&) = delete;
@@ -33,7 +33,7 @@ class LoopWatch {
   platform::EventLoop::Handle timer_ = 0;
   std::atomic<std::uint64_t> beats_ = 0;
   std::atomic<std::uint64_t> hangs_ = 0;
-  std::mutex mutex_;  ///< Of ending_.
+  std::mutex mutex_;  ///< Protects ending_.
   std::condition_variable end_;
   bool ending_ = false;
   std::thread thread_;

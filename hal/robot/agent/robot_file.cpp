@@ -32,14 +32,14 @@ void agent_keys(Fields& io, RobotFile& file) {
     io.mistake("name",
                fmt::format("'{}' must be letters, digits, '_' and '-' after a letter", file.name));
   }
-  // A mistaken address is nobody's: it must not seem to be taken by a landmark.
+  // An invalid address is cleared, so that no landmark seems to use it.
   file.address = {};
   const files::config::Key address{"address",
                                    "Network address, the same as in the simulator's scenario.",
                                    "26", files::config::kMustBeGiven};
   io.count(address, 1, kLastAddress, file.address.value);
   if (Mapping* in = io.reading(); in != nullptr && !in->has(address.name))
-    in->integer(address, 1, kLastAddress);  // which is missing
+    in->integer(address, 1, kLastAddress);  // reports that it is missing
   io.needed_choice({"kind", "What the agent is.", "robot"}, kKinds, file.kind);
 }
 

@@ -5,11 +5,11 @@
 
 namespace hal::robot::agent {
 
-/// `wheels:`, `infrared:`, `sensors:`, `limits:` and `on_lost_sensor:` of a robot's file. @pre the
-/// file's `robot` is described.
+/// `wheels:`, `infrared:`, `sensors:`, `limits:` and `on_lost_sensor:` of a robot's file. @pre
+/// `file.robot` has been read.
 void device_keys(files::description::Fields& io, RobotFile& file);
 
-/// `localisation:`. @param file  whose address and name are known.
+/// `localisation:`. @param file  must have its address and name.
 void localisation_keys(files::description::Fields& io, LocalisationSettings& c,
                        const RobotFile& file);
 

@@ -107,7 +107,7 @@ std::vector<SilentDevice> Sampler::silent(platform::BootTime now) const {
   std::vector<SilentDevice> silent;
   if (const drivers::WheelDriver* wheels = devices_.wheels) {
     if (std::string trouble = wheels->trouble(); !trouble.empty()) {
-      silent.push_back({"wheels", std::move(trouble), false});  // drive() says so itself
+      silent.push_back({"wheels", std::move(trouble), false});  // drive() itself reports that
     }
   }
   for (const DevicePart& part : parts_) {

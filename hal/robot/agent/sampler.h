@@ -12,7 +12,7 @@
 
 namespace hal::robot::agent {
 
-/// The devices of one agent; null: it has none.
+/// The devices of one agent; null: it does not have this device.
 struct Devices {
   drivers::WheelDriver* wheels = nullptr;
   drivers::InfraredDriver* infrared = nullptr;
@@ -20,23 +20,23 @@ struct Devices {
   std::vector<const drivers::SensorDriver*> sensors{};  ///< In the order of the file's `sensors`.
 };
 
-/// A device that feeds one channel or several of the session.
+/// A device that feeds one or more channels of the session.
 struct DevicePart {
   using Values = std::vector<std::vector<double>>;  ///< One for each of the channels.
 
-  std::vector<Channel> channels;  ///< At least one, whose name is the device's.
-  /// Errors: those of the device; kTimeout (what there is, is too old at `now`).
+  std::vector<Channel> channels;  ///< At least one; the first has the name of the device.
+  /// Errors: those of the device; kTimeout (the latest values are too old at `now`).
   std::function<tl::expected<Values, Error>(platform::BootTime now)> latest;
 };
 
-/// What an agent senses, in the order of its session. The arguments outlive the parts.
+/// The sensors of an agent, in the order of its session. The arguments outlive the parts.
 std::vector<DevicePart> parts_of(const RobotFile& file, const Devices& devices);
 
-/// What a real agent can be asked for: the channels of its file, with the names, kinds and units
-/// that a simulated one has (hal/types/channel.h), so that a controller meets no difference.
+/// The channels that a real agent offers: those of its file, with the names, kinds and units of a
+/// simulated agent (hal/types/channel.h), so that they do not differ for a controller.
 node::exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices);
 
-/// Takes readings from the devices: the channels of offer_of().
+/// Reads the channels of offer_of() from the devices.
 class Sampler final : public node::agent::Sensors {
  public:
   /// @param file, devices  outlive the sampler.
@@ -44,17 +44,18 @@ class Sampler final : public node::agent::Sensors {
 
   const node::exchange::AgentOffer& offer() const { return offer_; }
 
-  /// Whose channels silent() is about.
+  /// Sets the channels that silent() reports as wanted.
   void set_wants(const Wants& wants) { wants_ = wants; }
 
-  /// Asks each device once.
+  /// Reads each device once.
   void advance(Time at) override;
   bool sample(std::size_t channel, Time at, std::vector<double>& values) override;
 
-  /// The devices, asked for or not, that give nothing young enough now: the wheels, then the parts.
+  /// The devices, wanted or not, without a sufficiently recent value: the wheels, then the parts.
   std::vector<SilentDevice> silent(platform::BootTime now) const;
 
-  /// Where the agent is, world frame. Errors: kNotAvailable, kTimeout (the last fix is too old).
+  /// Pose of the agent in the world frame. Errors: kNotAvailable, kTimeout (the last fix is too
+  /// old).
   /// @pre the agent has a source of poses.
   Result<Pose2> pose(platform::BootTime now) const;
   bool has_pose() const { return devices_.pose != nullptr; }
@@ -65,7 +66,8 @@ class Sampler final : public node::agent::Sensors {
   const std::vector<DevicePart> parts_;
   const node::exchange::AgentOffer offer_;
   Wants wants_;
-  /// Of this control instant, by index into the offer's channels; none: the device is silent.
+  /// Values at this control instant by index into the offer's channels; nullopt: the device is
+  /// silent.
   std::vector<std::optional<std::vector<double>>> values_;
 };
 

@@ -9,22 +9,22 @@
 
 namespace hal::robot::agent {
 
-/// A device of the agent that gives nothing young enough to be used.
+/// A device of the agent that delivers no sufficiently recent value.
 struct SilentDevice {
-  std::string name;     ///< "wheels", or the channel it feeds.
-  std::string because;  ///< For people.
-  bool wanted = false;  ///< The controller cannot do without its channel.
+  std::string name;     ///< "wheels", or the channel that it feeds.
+  std::string because;  ///< Reason, for messages.
+  bool wanted = false;  ///< The controller requires its channel.
 };
 
-/// Tells in the log, once, that a device was lost, and once that it is back; and judges what that
-/// means for the wheels. A device that was never heard is not lost: the agent waits for it.
+/// Logs once when a device is lost and once when it is back, and decides whether the wheels must
+/// stop. A device that never delivered anything is not lost: the agent waits for it.
 class SensorWatch {
  public:
   /// @param file  outlives the watch.
   explicit SensorWatch(const RobotFile& file) : file_(file) {}
 
-  /// @param silent  all that are now.
-  /// @return why the wheels must stand; empty: they may turn.
+  /// @param silent  all devices that are silent now.
+  /// @return why the wheels must stop; empty: they may turn.
   std::string look(Time now, const std::vector<SilentDevice>& silent);
 
  private:

@@ -6,8 +6,8 @@
 
 namespace hal::robot::drivers {
 
-/// The number that an attribute of a device in sysfs holds: one read, as sysfs wants it. Errors:
-/// kNotConnected (it cannot be read), kProtocol (it holds no number).
+/// The number in an attribute of a device in sysfs, obtained by one read as sysfs requires. Errors:
+/// kNotConnected (it cannot be read), kProtocol (it contains no number).
 Result<double> read_attribute(const std::filesystem::path& file);
 
 bool has_attribute(const std::filesystem::path& file);

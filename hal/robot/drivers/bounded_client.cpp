@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A socket as the library reads and writes it, within the limits of one exchange.
+/// A socket for the library, with the limits of one exchange.
 class BoundedStream final : public httplib::Stream {
  public:
   BoundedStream(socket_t socket, const BoundedClient::Limits& limits)
@@ -37,7 +37,7 @@ class BoundedStream final : public httplib::Stream {
     return ::send(socket_, from, size, MSG_NOSIGNAL | MSG_DONTWAIT);
   }
 
-  // Nobody asks for them here.
+  // Not used here.
   void get_remote_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
   void get_local_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
   socket_t socket() const override { return socket_; }
@@ -54,7 +54,7 @@ class BoundedStream final : public httplib::Stream {
     }
   }
 
-  /// As recv(2): 0 at the end of what the device sends.
+  /// As recv(2): 0 after the last byte from the device.
   ssize_t fill() {
     if (bytes_left_ == 0 || !is_ready(POLLIN)) return -1;
     const std::size_t most = std::min(buffer_.size(), bytes_left_);

@@ -9,9 +9,9 @@
 
 namespace hal::robot::drivers {
 
-/// HTTP client whose exchanges end in time and within a number of bytes, whatever the device sends:
-/// heads, lines, chunks or interim responses (100 Continue) without end, or a byte now and then.
-/// The library's own limits are of each read, of each line and of bodies whose length was told.
+/// HTTP client whose exchanges are limited in time and bytes, whatever the device sends: endless
+/// heads, lines, chunks or interim responses (100 Continue), or single bytes at intervals. The
+/// library itself limits only each read, each line and bodies with a stated length.
 ///
 ///   BoundedClient client("172.26.1.1", 80, {.time = 150ms, .bytes = 16384});
 ///   client.set_keep_alive(true);
@@ -20,8 +20,8 @@ namespace hal::robot::drivers {
 class BoundedClient final : public httplib::ClientImpl {
  public:
   struct Limits {
-    std::chrono::nanoseconds time;  ///< Of an exchange once it is connected, > 0.
-    std::size_t bytes = 0;          ///< Of its answer: status line, head and body as they come.
+    std::chrono::nanoseconds time;  ///< For one exchange after the connection is established, > 0.
+    std::size_t bytes = 0;          ///< For one answer: status line, head and body as transmitted.
   };
 
   BoundedClient(const std::string& host, int port, Limits limits);

@@ -5,8 +5,8 @@
 
 namespace hal::robot::drivers {
 
-/// What a driver may assume of its device: how long it waits for an answer, how often it asks, and
-/// which age of a reading is too old: the channel is lost then.
+/// Timing of a device: how often the driver queries it, how long it waits for an answer, and the
+/// age at which a reading is too old and the channel is lost.
 struct DeviceTimes {
   Duration period{};       ///< > 0
   Duration timeout{};      ///< > 0

@@ -6,7 +6,7 @@
 
 namespace hal::robot::drivers {
 
-/// The robot whose wheels a driver turns, and how long a command to them is good.
+/// The robot whose wheels a driver turns, and how long a command to them is valid.
 struct DrivenRobot {
   const node::devices::RobotDescription& description;
   SpeedLimits limits;

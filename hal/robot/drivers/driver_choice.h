@@ -11,7 +11,7 @@
 
 namespace hal::robot::drivers {
 
-/// A driver as a robot's file asks for it. Any thread; immutable.
+/// A driver as selected by a robot's file. Any thread; immutable.
 /// @tparam Driver  WheelDriver or InfraredDriver.
 template <class Driver>
 class DriverChoice {
@@ -21,13 +21,13 @@ class DriverChoice {
   DriverChoice& operator=(const DriverChoice&) = delete;
   virtual ~DriverChoice() = default;
 
-  /// The driver, its threads started. A device that does not answer is no error: the driver goes on
-  /// trying.
+  /// Creates the driver and starts its threads. A device that does not answer is not an error: the
+  /// driver keeps trying.
   virtual std::unique_ptr<Driver> make(const DrivenRobot& robot) const = 0;
-  virtual Duration period() const = 0;  ///< Between two questions of the device, > 0.
+  virtual Duration period() const = 0;  ///< Time between two queries of the device, > 0.
 };
 
-/// One that its settings describe, which have `times`.
+/// A choice described by settings, which have a member `times`.
 template <class Driver, class Settings>
 class ChosenDriver final : public DriverChoice<Driver> {
  public:
@@ -49,8 +49,8 @@ class ChosenDriver final : public DriverChoice<Driver> {
 /// A driver that a file may name.
 template <class Driver>
 struct DriverKind {
-  std::string_view name;  ///< In the file: `driver: <name>`.
-  /// Describes its keys, and what they ask for. @param robot  of the file.
+  std::string_view name;  ///< As in the file: `driver: <name>`.
+  /// Describes its keys and returns the choice that they describe. @param robot  of the file.
   std::shared_ptr<const DriverChoice<Driver>> (*keys)(files::description::Fields& io,
                                                       const node::devices::RobotDescription& robot);
 };

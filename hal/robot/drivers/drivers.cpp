@@ -20,7 +20,7 @@ std::shared_ptr<const DriverChoice<Driver>> none_keys(Fields&, const RobotDescri
   return nullptr;
 }
 
-/// The one table of drivers: name and keys of each.
+/// Name and keys of all drivers.
 constexpr std::array kWheelDrivers{
     DriverKind<WheelDriver>{"none", none_keys<WheelDriver>},
     DriverKind<WheelDriver>{"robotino_rest", robotino_wheels_keys},
@@ -32,7 +32,7 @@ constexpr std::array kInfraredDrivers{
     DriverKind<InfraredDriver>{"iio", iio_infrared_keys},
 };
 
-/// @param meaning  of `driver`.
+/// @param meaning  description of `driver`.
 template <class Driver, std::size_t kSize>
 std::shared_ptr<const DriverChoice<Driver>> driver_keys(
     Fields& io, const RobotDescription& robot, const char* meaning,

@@ -11,7 +11,7 @@
 namespace hal::robot::drivers {
 
 /// `wheels:` and `infrared:` of a robot's file: `driver` and the keys of that driver.
-/// @return  null: "none", or a mistake, which is noted.
+/// @return  null: "none", or a mistake, which is recorded.
 std::shared_ptr<const DriverChoice<WheelDriver>> wheels_keys(
     files::description::Fields& io, const node::devices::RobotDescription& robot);
 std::shared_ptr<const DriverChoice<InfraredDriver>> infrared_keys(

@@ -72,7 +72,7 @@ Result<IioInfrared::Channel> IioInfrared::find(const std::string& name) const {
   return channel;
 }
 
-/// A channel's own attribute or, if there is none, that of all channels of its type.
+/// A channel's own attribute or, if there is none, the common attribute of its type.
 fs::path IioInfrared::attribute(const std::string& name, const std::string& what) const {
   fs::path own = settings_.folder / fmt::format("in_{}_{}", name, what);
   if (has_attribute(own)) return own;

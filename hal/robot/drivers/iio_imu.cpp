@@ -14,7 +14,7 @@ class IioImu {
  public:
   explicit IioImu(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Rates x, y, z, then accelerations.
+  /// Angular rates x, y, z, then accelerations x, y, z.
   Result<std::vector<double>> measure() const {
     std::vector<double> values;
     for (const char* quantity : {"anglvel", "accel"}) {

@@ -11,12 +11,12 @@ namespace hal::robot::drivers {
 
 /// One measurement of all sensors, in the order of the robot's `mounts`.
 struct InfraredReadings {
-  std::vector<double> metres;  ///< NaN: nothing within reach.
-  std::vector<double> volts;   ///< As measured, or as the curve gives them for the metres.
+  std::vector<double> metres;  ///< NaN: nothing within range.
+  std::vector<double> volts;   ///< As measured, or computed from the metres by the curve.
   platform::BootTime stamp;
 };
 
-/// The infrared sensors of a real robot, measured again and again by a thread of the driver, which
+/// The infrared sensors of a real robot, measured repeatedly by a thread of the driver, which
 /// reconnects as a WheelDriver does. Any thread.
 class InfraredDriver {
  public:
@@ -24,12 +24,12 @@ class InfraredDriver {
   InfraredDriver(const InfraredDriver&) = delete;
   InfraredDriver& operator=(const InfraredDriver&) = delete;
 
-  /// Returns at once. Errors: kNotConnected, kNotAvailable (none yet), kTimeout (the last
-  /// measurement is too old to be used; which age that is, the file says).
+  /// Does not block. Errors: kNotConnected, kNotAvailable (none yet), kTimeout (the last
+  /// measurement is older than `stale_after` of the file).
   virtual Result<InfraredReadings> latest() const = 0;
 
   virtual bool connected() const = 0;
-  virtual std::string trouble() const = 0;  ///< Empty while connected.
+  virtual std::string trouble() const = 0;  ///< Why the device is not connected; empty while it is.
   virtual platform::DeviceCounts counts() const = 0;
 
  protected:

@@ -9,7 +9,7 @@
 namespace hal::robot::drivers {
 namespace {
 
-/// The start of an answer, fit for one line of a message.
+/// The start of an answer, printable on one line of a message.
 std::string excerpt(std::string_view text) {
   constexpr std::size_t kShown = 60;
   std::string shown(text.substr(0, kShown));

@@ -10,11 +10,12 @@
 
 namespace hal::robot::drivers {
 
-/// Reads a JSON array of exactly `count` numbers (RFC 8259) and nothing else around it but white
-/// space. Errors: kProtocol with what was found.
+/// Reads a JSON array of exactly `count` numbers (RFC 8259), surrounded only by white space.
+/// Errors: kProtocol with the text found.
 Result<std::vector<double>> parse_json_numbers(std::string_view text, std::size_t count);
 
-/// Writes one: each number in its shortest form that reads back to the same bits. @pre finite.
+/// Writes such an array: each number in the shortest form that reads back to the same bits. @pre
+/// finite.
 std::string json_numbers(std::span<const double> numbers);
 
 }  // namespace hal::robot::drivers

@@ -5,7 +5,7 @@
 namespace hal::robot::drivers {
 namespace {
 
-/// `inner`, given in the frame of `outer`, in the frame that `outer` is given in.
+/// `inner`, given in the frame `outer`, transformed to the frame in which `outer` is given.
 Pose2 composed(const Pose2& outer, const Pose2& inner) {
   const double c = math::cos(outer.theta);
   const double s = math::sin(outer.theta);
@@ -13,7 +13,7 @@ Pose2 composed(const Pose2& outer, const Pose2& inner) {
           math::wrap_angle(outer.theta + inner.theta)};
 }
 
-/// The frame in which `seen` is `raw`.
+/// The frame in which the pose `seen` has the coordinates `raw`.
 Pose2 frame_of(const Pose2& seen, const Pose2& raw) {
   const double theta = math::wrap_angle(seen.theta - raw.theta);
   const Pose2 turned = composed({0, 0, theta}, raw);

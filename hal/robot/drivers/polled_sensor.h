@@ -9,7 +9,7 @@
 
 namespace hal::robot::drivers {
 
-/// A sensor that is asked once per period.
+/// A sensor that is queried once per period.
 /// @tparam Source  has `Result<std::vector<double>> measure()`, called from one thread.
 template <class Source>
 class PolledSensor final : public SensorDriver, private platform::Device {
@@ -36,7 +36,7 @@ class PolledSensor final : public SensorDriver, private platform::Device {
 
   Source source_;
   platform::Latest<SensorReading> latest_;
-  platform::DeviceThread thread_;  ///< Last: it uses the others.
+  platform::DeviceThread thread_;  ///< Last, because it uses the others.
 };
 
 }  // namespace hal::robot::drivers

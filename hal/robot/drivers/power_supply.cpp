@@ -19,7 +19,7 @@ class PowerSupply {
   PowerSupply(std::filesystem::path folder, double capacity)
       : folder_(std::move(folder)), capacity_(capacity) {}
 
-  /// Charge, volts, amperes, joules now and when full.
+  /// Charge 0..1, volts, amperes, joules now and when full.
   Result<std::vector<double>> measure() const {
     const auto percent = read_attribute(folder_ / "capacity");
     if (!percent) return tl::unexpected<Error>(percent.error());
@@ -39,9 +39,9 @@ class PowerSupply {
   }
 
  private:
-  /// J now and when full; none: the gauge does not know.
+  /// J now and when full; nullopt: the gauge does not measure energy.
   Result<std::optional<std::pair<double, double>>> energies() const {
-    constexpr double kJoules = 3600e-6;  // in a uWh
+    constexpr double kJoules = 3600e-6;  // J per uWh
     if (!has_attribute(folder_ / "energy_now") || !has_attribute(folder_ / "energy_full"))
       return std::nullopt;
     const auto now = read_attribute(folder_ / "energy_now");

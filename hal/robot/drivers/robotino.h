@@ -16,26 +16,27 @@ struct RobotinoSettings {
   std::string host;  ///< Name or address.
   std::uint16_t port = 80;
   std::string session = "baraka";  ///< `sid` of the requests.
-  DeviceTimes times;               ///< Period <= 100 ms: the robot stops after 200 ms of silence.
-  // Infrared only. Firmware differs, so the file says what the array gives.
+  /// Period <= 100 ms, because the robot stops 200 ms after the last command.
+  DeviceTimes times;
+  // Infrared only. The contents of the array depend on the firmware, so the file states them.
   bool in_volts = false;   ///< Volts instead of metres.
-  bool clockwise = false;  ///< Sensor i looks along -40 deg * i instead of 40 deg * i.
+  bool clockwise = false;  ///< Sensor i is at -40 deg * i instead of 40 deg * i.
   bool operator==(const RobotinoSettings&) const = default;
 };
 
-/// Wheels of a Robotino. The robot stops when it hears no velocity for 200 ms; the driver repeats
-/// the last one every period. Odometry comes over a connection of its own, so that a slow answer
-/// there holds up no command.
+/// Wheels of a Robotino. The robot stops if it receives no velocity for 200 ms; the driver repeats
+/// the last one every period. Odometry uses its own connection, so that a slow answer there does
+/// not delay commands.
 std::unique_ptr<WheelDriver> make_robotino_wheels(const RobotinoSettings& settings,
                                                   const DrivenRobot& robot);
 
-/// The nine infrared sensors of a Robotino as those of `robot`: a sensor of the robot that looks
-/// along one of the array's directions is that one; otherwise it gets the nearer of what its two
-/// neighbours in the array see.
+/// Maps the nine infrared sensors of a Robotino to those of `robot`: a sensor of the robot in the
+/// direction of one in the array gets its value; any other gets the smaller distance of its two
+/// neighbours in the array.
 std::unique_ptr<InfraredDriver> make_robotino_infrared(const RobotinoSettings& settings,
                                                        const DrivenRobot& robot);
 
-/// Their keys in a robot's file, and what it asks for.
+/// Reads their keys in a robot's file; returns the choice that they describe.
 std::shared_ptr<const DriverChoice<WheelDriver>> robotino_wheels_keys(
     files::description::Fields& io, const node::devices::RobotDescription& robot);
 std::shared_ptr<const DriverChoice<InfraredDriver>> robotino_infrared_keys(

@@ -16,8 +16,8 @@ constexpr double kSpacing = 2 * math::kPi / RobotinoRest::kSensors;  // rad
 constexpr double kAligned = math::kPi / 180;                         // rad
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-/// The sensors of the array that stand for one of the robot's: the same one twice if it looks along
-/// that direction.
+/// The sensors of the array that represent one of the robot's: the same one twice if their
+/// directions agree.
 struct Pair {
   std::size_t first = 0;
   std::size_t second = 0;

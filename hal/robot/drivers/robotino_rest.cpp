@@ -13,10 +13,10 @@
 namespace hal::robot::drivers {
 namespace {
 
-/// Longest body that is read: some ten times the longest there should be.
+/// Longest body that is read: about ten times the longest expected one.
 constexpr std::size_t kLongestBody = 4096;
 
-/// Longest answer, head included.
+/// Longest answer, including the head.
 constexpr std::size_t kLongestAnswer = 16384;
 
 Errc code_of(httplib::Error error) {
@@ -24,7 +24,7 @@ Errc code_of(httplib::Error error) {
     case httplib::Error::Read:
     case httplib::Error::ConnectionTimeout:
       return Errc::kTimeout;
-    case httplib::Error::Canceled:  // by us: the body was too long
+    case httplib::Error::Canceled:  // by this program: the body was too long
     case httplib::Error::Compression:
     case httplib::Error::ExceedRedirectCount:
       return Errc::kProtocol;
@@ -35,7 +35,7 @@ Errc code_of(httplib::Error error) {
 
 }  // namespace
 
-/// The HTTP side: one request, one answer.
+/// The HTTP client: one request, one answer.
 class RobotinoRest::Client {
  public:
   explicit Client(const RobotinoSettings& settings)
@@ -55,7 +55,7 @@ class RobotinoRest::Client {
     return exchange(name, request);
   }
 
-  /// @param body  called right before it is written; gives `length` bytes.
+  /// @param body  called right before it is written; returns `length` bytes.
   Result<std::string> put(std::string_view name, std::size_t length,
                           const std::function<std::string_view()>& body) {
     httplib::Request request;
@@ -113,7 +113,7 @@ Result<Twist2> RobotinoRest::put_velocity(const TimedVelocity& velocity) {
   };
   std::string moving = text_of(velocity.body);
   std::string standing = text_of({});
-  // The header tells the length before it is known which of them it will be.
+  // The header states the length before it is known which of the two will be written.
   const std::size_t length = std::max(moving.size(), standing.size());
   moving.resize(length, ' ');
   standing.resize(length, ' ');
@@ -132,7 +132,7 @@ Result<RobotinoRest::Odometry> RobotinoRest::odometry() {
   const auto numbers = parse_json_numbers(*answer, 7);
   if (!numbers) return fail(numbers.error().code, "odometry: " + numbers.error().message);
   const std::vector<double>& n = *numbers;
-  constexpr double kMaxAngle = 1e8;  // rad: what wrap_angle takes
+  constexpr double kMaxAngle = 1e8;  // rad, within the domain of wrap_angle
   if (std::abs(n[2]) > kMaxAngle) {
     return fail(Errc::kProtocol, fmt::format("odometry: a heading of {} rad", n[2]));
   }

@@ -14,7 +14,7 @@ using files::config::Option;
 using files::description::Fields;
 
 /// The Robotino stops after this long without a command (Festo, "Robotino REST API",
-/// wiki.openrobotino.org/Rest_api.html); half of it leaves room for one that is lost.
+/// wiki.openrobotino.org/Rest_api.html); half of that time tolerates the loss of one command.
 constexpr double kRobotinoPeriod = 0.1;  // s
 
 constexpr std::array kReads = {Option<bool>{"metres", false}, Option<bool>{"volts", true}};

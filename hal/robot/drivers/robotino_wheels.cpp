@@ -17,7 +17,7 @@ constexpr Duration kStopsAfter = 200ms;
 
 Duration silence_of(const DeviceTimes& times) { return times.period + 3 * times.timeout; }
 
-/// Asks for the odometry again and again.
+/// Polls the odometry.
 class RobotinoOdometry final : private platform::Device {
  public:
   explicit RobotinoOdometry(const RobotinoSettings& settings)
@@ -35,7 +35,7 @@ class RobotinoOdometry final : private platform::Device {
   Result<void> work() override {
     const auto odometry = rest_.odometry();
     if (!odometry) return tl::unexpected<Error>(odometry.error());
-    // The same measurement once more is no newer for being asked for again.
+    // A measurement that was seen before does not become newer.
     if (known_ && odometry->sequence == sequence_) return {};
     known_ = true;
     sequence_ = odometry->sequence;
@@ -49,7 +49,7 @@ class RobotinoOdometry final : private platform::Device {
   bool known_ = false;
   double sequence_ = 0;
   platform::Latest<WheelState> latest_;
-  platform::DeviceThread thread_;  ///< Last: it uses the others.
+  platform::DeviceThread thread_;  ///< Last, because it uses the others.
 };
 
 class RobotinoWheels final : public WheelDevice {

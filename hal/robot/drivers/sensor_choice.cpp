@@ -18,13 +18,13 @@ using files::description::Fields;
 using node::devices::SensorDescription;
 
 struct SensorDriverKind {
-  std::string_view name;  ///< In the file: `driver: <name>`.
-  std::string_view kind;  ///< Of the sensors that it can feed.
-  /// @param sensor  that it feeds; null: not known.
+  std::string_view name;  ///< As in the file: `driver: <name>`.
+  std::string_view kind;  ///< Kind of sensor that it can feed.
+  /// @param sensor  that it feeds; null: unknown.
   std::shared_ptr<const SensorChoice> (*keys)(Fields& io, const SensorDescription* sensor);
 };
 
-/// The one table of drivers of sensors.
+/// All drivers of sensors.
 constexpr std::array kSensorDrivers{
     SensorDriverKind{"power_supply", node::devices::Battery::kKind, power_supply_keys},
     SensorDriverKind{"iio_imu", node::devices::ImuSensor::kKind, iio_imu_keys},
@@ -40,11 +40,11 @@ std::vector<std::string> names_of_drivers() {
 /// A driver and the name of the sensor that it feeds.
 struct NamedDriver {
   std::string sensor;
-  std::string_view kind;  ///< Of the sensors that it can feed.
+  std::string_view kind;  ///< Kind of sensor that it can feed.
   std::shared_ptr<const SensorChoice> driver;
 };
 
-/// Which of the robot's sensors; none: no such.
+/// Index of the sensor with this name; nullopt: the robot has none.
 std::optional<std::size_t> index_of(const std::string& name,
                                     const std::vector<SensorDescription>& sensors) {
   const auto found = std::ranges::find_if(
@@ -53,7 +53,7 @@ std::optional<std::size_t> index_of(const std::string& name,
   return static_cast<std::size_t>(found - sensors.begin());
 }
 
-/// @param driven  those before.
+/// @param driven  the sensors that have a driver so far.
 void check(Fields& io, const NamedDriver& one, const std::vector<SensorDescription>& sensors,
            const std::vector<DrivenSensor>& driven) {
   const auto sensor = index_of(one.sensor, sensors);

@@ -12,19 +12,19 @@
 
 namespace hal::robot::drivers {
 
-/// A driver of a sensor as a robot's file asks for it. Any thread; immutable.
+/// A driver of a sensor as selected by a robot's file. Any thread; immutable.
 class SensorChoice {
  public:
   SensorChoice() = default;
   SensorChoice(const SensorChoice&) = delete;
   SensorChoice& operator=(const SensorChoice&) = delete;
   virtual ~SensorChoice() = default;
-  /// The driver, its thread started.
+  /// Creates the driver and starts its thread.
   virtual std::unique_ptr<SensorDriver> make() const = 0;
-  virtual Duration period() const = 0;  ///< Between two measurements, > 0.
+  virtual Duration period() const = 0;  ///< Time between two measurements, > 0.
 };
 
-/// One that its settings describe, which have `times`.
+/// A choice described by settings, which have a member `times`.
 template <class Settings>
 class ChosenSensor final : public SensorChoice {
  public:
@@ -40,14 +40,14 @@ class ChosenSensor final : public SensorChoice {
   Make make_;
 };
 
-/// A sensor that a real robot has.
+/// A sensor of a real robot with its driver.
 struct DrivenSensor {
   std::size_t sensor = 0;  ///< Index into the robot's `sensors`.
   std::shared_ptr<const SensorChoice> driver;
 };
 
-/// `sensors:` of a robot's file, beside `robot:`: which driver feeds which of the robot's sensors.
-/// The others are not offered.
+/// `sensors:` of a robot's file, in addition to `robot:`: which driver feeds which of the robot's
+/// sensors. Sensors without a driver are not offered.
 /// @param sensors  of the robot.
 std::vector<DrivenSensor> driven_sensors_key(
     files::description::Fields& io, const std::vector<node::devices::SensorDescription>& sensors);

@@ -15,7 +15,7 @@ struct SensorReading {
   platform::BootTime stamp;
 };
 
-/// One of the `sensors:` of a real robot, measured again and again by a thread of the driver, which
+/// One of the `sensors:` of a real robot, measured repeatedly by a thread of the driver, which
 /// reconnects as a WheelDriver does. Any thread.
 class SensorDriver {
  public:
@@ -23,12 +23,12 @@ class SensorDriver {
   SensorDriver(const SensorDriver&) = delete;
   SensorDriver& operator=(const SensorDriver&) = delete;
 
-  /// Returns at once. Errors: kNotConnected, kNotAvailable (none yet), kTimeout (the last
-  /// measurement is too old to be used; which age that is, the file says).
+  /// Does not block. Errors: kNotConnected, kNotAvailable (none yet), kTimeout (the last
+  /// measurement is older than `stale_after` of the file).
   virtual Result<SensorReading> latest() const = 0;
 
   virtual bool connected() const = 0;
-  virtual std::string trouble() const = 0;  ///< Empty while connected.
+  virtual std::string trouble() const = 0;  ///< Why the device is not connected; empty while it is.
   virtual platform::DeviceCounts counts() const = 0;
 
  protected:

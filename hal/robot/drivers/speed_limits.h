@@ -5,9 +5,9 @@
 
 namespace hal::robot::drivers {
 
-/// What the operator allows a robot, below what its motors can do. Infinite: no limit of its own.
+/// The operator's limits for a robot, in addition to those of its motors. Infinite: no limit.
 struct SpeedLimits {
-  double linear;   ///< m/s, > 0, of the velocity's length
+  double linear;   ///< m/s, > 0, of the magnitude of the velocity
   double angular;  ///< rad/s, > 0
   SpeedLimits();
   SpeedLimits(double linear_limit, double angular_limit)
@@ -15,8 +15,8 @@ struct SpeedLimits {
   bool operator==(const SpeedLimits&) const = default;
 };
 
-/// The fastest velocity in the direction of `body` (all three components scaled by one factor) that
-/// keeps the limits and lets no wheel run beyond its own. `saturated`: it was scaled.
+/// The fastest velocity in the direction of `body` (all three components scaled by one factor)
+/// within the limits and the speed limit of every wheel. `saturated`: it was scaled.
 /// @pre every component is finite.
 node::devices::WheelDrive::Limited limited(const Twist2& body,
                                            const node::devices::WheelDrive& wheels,

@@ -14,13 +14,13 @@ namespace hal::robot::drivers {
 class InfraredDevice {
  public:
   virtual ~InfraredDevice() = default;
-  /// Reaches the device.
+  /// Connects to the device.
   virtual Result<void> connect() { return {}; }
-  /// One measurement; its stamp is for ThreadedInfrared.
+  /// One measurement; ThreadedInfrared sets its stamp.
   virtual Result<InfraredReadings> measure() = 0;
 };
 
-/// An InfraredDriver that measures at a period.
+/// An InfraredDriver that measures periodically.
 class ThreadedInfrared final : public InfraredDriver, private platform::Device {
  public:
   ThreadedInfrared(std::unique_ptr<InfraredDevice> device, const DeviceTimes& times);
@@ -37,7 +37,7 @@ class ThreadedInfrared final : public InfraredDriver, private platform::Device {
 
   std::unique_ptr<InfraredDevice> device_;
   platform::Latest<InfraredReadings> latest_;
-  platform::DeviceThread thread_;  ///< Last: it uses the others.
+  platform::DeviceThread thread_;  ///< Last, because it uses the others.
 };
 
 }  // namespace hal::robot::drivers

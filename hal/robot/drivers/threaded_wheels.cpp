@@ -24,7 +24,7 @@ Result<void> ThreadedWheels::drive(const Twist2& body, platform::BootTime as_of)
                 fmt::format("velocity ({}, {}, {}): must be finite", body.vx, body.vy, body.omega));
   }
   if (const std::string trouble = thread_.trouble(); !trouble.empty()) {
-    stop();  // else the old velocity would be repeated once the device is heard again
+    stop();  // otherwise the old velocity would be repeated after a reconnection
     return fail(Errc::kNotConnected, "wheels: " + trouble);
   }
   command_.set(body, as_of);
@@ -56,7 +56,7 @@ platform::DeviceCounts ThreadedWheels::counts() const {
 }
 
 Result<void> ThreadedWheels::connect() {
-  // What was asked for while nobody could hear it must not move the robot now.
+  // A velocity that was set while disconnected must not move the robot now.
   command_.stop();
   return device_->connect();
 }
@@ -72,7 +72,7 @@ Result<void> ThreadedWheels::work() {
 }
 
 void ThreadedWheels::leave() {
-  // The device's own rule stops the wheels if it cannot be told.
+  // If this fails, the device stops its wheels itself.
   (void)device_->send({});
 }
 

@@ -9,33 +9,33 @@
 
 namespace hal::robot::drivers {
 
-/// A device that takes velocities. connect() and send() come from one thread.
+/// A device that accepts velocities. connect() and send() are called from one thread.
 class WheelDevice {
  public:
   struct Sent {
-    Twist2 body;             ///< What the velocity was when it was written.
-    bool confirmed = false;  ///< The device has said already that it took it.
+    Twist2 body;             ///< The velocity at the time of writing.
+    bool confirmed = false;  ///< The device has already acknowledged it.
   };
 
   virtual ~WheelDevice() = default;
-  /// Reaches the device and leaves its wheels standing.
+  /// Connects to the device and stops its wheels.
   virtual Result<void> connect() = 0;
-  /// Writes what the velocity is by then, asking the clock right before.
+  /// Writes the velocity that is in force at that time; reads the clock right before writing.
   virtual Result<Sent> send(const TimedVelocity& velocity) = 0;
-  /// Any thread. @param thread  that of connect() and send().
+  /// Any thread. @param thread  the thread that calls connect() and send().
   virtual Result<WheelState> state(const platform::DeviceThread& thread) const = 0;
-  /// Answers against the protocol that were passed over without losing the device. Any thread.
+  /// Number of invalid answers that were ignored without reconnecting. Any thread.
   virtual std::uint64_t passed_over() const { return 0; }
 };
 
-/// A WheelDriver that sends the last velocity to a device at a period, and a new one at once. One
-/// that ran out between the look at the clock and the write is followed by zero without delay.
+/// A WheelDriver that sends the last velocity to a device periodically, and a new one at once. If a
+/// velocity expires between the check of the clock and the write, zero is sent right after it.
 class ThreadedWheels final : public WheelDriver, private platform::Device {
  public:
   struct Setup {
     node::devices::WheelDrive kinematics;
     SpeedLimits limits;
-    Duration command_timeout{};  ///< How long a velocity holds, > 0.
+    Duration command_timeout{};  ///< How long a velocity is valid, > 0.
     platform::DeviceThread::Rules rules;
   };
 
@@ -59,7 +59,7 @@ class ThreadedWheels final : public WheelDriver, private platform::Device {
 
   std::unique_ptr<WheelDevice> device_;
   VelocityCommand command_;
-  platform::DeviceThread thread_;  ///< Last: it uses the others.
+  platform::DeviceThread thread_;  ///< Last, because it uses the others.
 };
 
 }  // namespace hal::robot::drivers

@@ -18,13 +18,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// An answer takes some 5 ms at 57600 baud. One that takes longer is read with the next exchange.
+/// An answer takes about 5 ms at 57600 baud. A later one is read with the next exchange.
 constexpr Duration kUsualAnswer = 15ms;
 
-/// How long the last word may take to leave.
+/// Longest wait until the last command has been sent.
 constexpr Duration kFarewell = 200ms;
 
-/// Lines read in one go: a line that never stops talking must not keep commands from being sent.
+/// Maximum number of lines read at once: a line that sends continuously must not delay commands.
 constexpr int kMostLines = 32;
 
 class Tmc200 final : public WheelDevice {
@@ -58,16 +58,16 @@ class Tmc200 final : public WheelDevice {
   node::devices::WheelOdometry odometry_;
   std::vector<double> angles_;  ///< Of the wheels, rad.
   platform::SerialLine line_;
-  int unanswered_ = 0;             ///< SVs.
-  platform::BootTime sent_{};      ///< The last SV.
-  platform::BootTime answered_{};  ///< The last answer to SV, or the connection.
+  int unanswered_ = 0;             ///< Number of unanswered SVs.
+  platform::BootTime sent_{};      ///< Time of the last SV.
+  platform::BootTime answered_{};  ///< Time of the last answer to SV, or of the connection.
   platform::Latest<WheelState> latest_;
   std::atomic<std::uint64_t> passed_over_{0};
 };
 
 Result<void> Tmc200::connect() {
   if (auto opened = line_.open(settings_.device); !opened) return opened;
-  // Whatever half a command is left in the controller ends here.
+  // Terminates a partial command that may be left in the controller.
   if (auto sent = line_.write("\n"); !sent) return sent;
   for (const std::string& command : protocol_.set_up()) {
     if (auto done = ask(command); !done) return done;
@@ -78,7 +78,7 @@ Result<void> Tmc200::connect() {
   return {};
 }
 
-/// Sends a command of the set-up and waits for its "OK", passing over other lines.
+/// Sends a command of the set-up and waits for its "OK", ignoring other lines.
 Result<void> Tmc200::ask(const std::string& command) {
   if (auto sent = line_.write(command); !sent) return sent;
   const platform::BootTime end = platform::BootClock::now() + settings_.times.timeout;
@@ -102,8 +102,8 @@ Result<WheelDevice::Sent> Tmc200::send(const TimedVelocity& velocity) {
   std::string moving = protocol_.set_speeds(wheels_.wheel_speeds(velocity.body));
   std::string standing = protocol_.set_speeds(wheels_.wheel_speeds({}));
   if (is_stuck()) {
-    // Else the motors would get it whenever the line comes to life again. What is left of a line of
-    // which a part was sent must not become one with the next.
+    // Otherwise the motors would get this velocity when the line recovers. The rest of a partly
+    // sent line must not join the next one.
     line_.forget_unsent();
     for (std::string* line : {&moving, &standing}) line->insert(line->begin(), '\n');
   }
@@ -126,12 +126,12 @@ Result<WheelDevice::Sent> Tmc200::send(const TimedVelocity& velocity) {
   return Sent{.body = body, .confirmed = unanswered_ == 0};
 }
 
-/// The last SV is still waiting to be sent.
+/// Whether the last SV has not been sent yet.
 bool Tmc200::is_stuck() const {
   return platform::BootClock::now() - sent_ > kUsualAnswer && line_.unsent() > 0;
 }
 
-/// Reads what came since the last exchange. Answers that have not come by now were lost.
+/// Reads what arrived since the last exchange. Answers that are still missing were lost.
 Result<void> Tmc200::read_late_answers() {
   for (int lines = 0; lines < kMostLines; ++lines) {
     const auto took = take_line(0ms);
@@ -142,8 +142,8 @@ Result<void> Tmc200::read_late_answers() {
   return {};
 }
 
-/// Takes one line as an answer to SV; garbled ones are counted and passed over.
-/// @return false: none came in time.
+/// Takes one line as an answer to SV; invalid lines are counted and ignored.
+/// @return false: no line arrived in time.
 Result<bool> Tmc200::take_line(Duration at_most) {
   const auto line = line_.read(at_most);
   if (!line && line.error().code != Errc::kProtocol) return tl::unexpected<Error>(line.error());
@@ -159,12 +159,12 @@ Result<bool> Tmc200::take_line(Duration at_most) {
   return true;
 }
 
-/// The wheels turned at these speeds since the last answer.
+/// Moves the odometry, assuming that the wheels had these speeds since the last answer.
 void Tmc200::move(const std::vector<double>& speeds) {
   const platform::BootTime now = platform::BootClock::now();
   const Duration elapsed = std::max(Duration{now - answered_}, Duration{1});
   answered_ = now;
-  // What happened in a longer gap nobody measured.
+  // In a longer gap the speeds are unknown.
   const double seconds = to_seconds(std::min(elapsed, settings_.times.timeout));
   for (std::size_t i = 0; i < angles_.size(); ++i) angles_[i] += speeds[i] * seconds;
   odometry_.update(angles_, elapsed);

@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// Takes a whole number and the blanks before it off the front.
+/// Removes an integer and the blanks before it from the front.
 bool take_number(std::string_view& text, int& number) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -40,7 +40,7 @@ Tmc200Protocol::Tmc200Protocol(const Tmc200Settings& settings,
   for (std::size_t i = 0; i < radii_.size(); ++i) radii_[i] = robot.wheels[i].radius;
 }
 
-/// The controller takes whole rpm; the speeds are fractions of what it was told.
+/// The controller accepts only whole rpm; speeds are fractions of that rounded value.
 int Tmc200Protocol::full_scale_rpm() const {
   return static_cast<int>(std::lround(settings_.motor.max_speed * 60 / (2 * math::kPi)));
 }
@@ -82,7 +82,7 @@ Result<std::vector<double>> Tmc200Protocol::measured(std::string_view line) cons
   if (good) rest.remove_prefix(1);
   for (std::size_t i = 0; good && i < radii_.size(); ++i) {
     int speed = 0;
-    // Measured speeds may overshoot the full scale, not double it.
+    // Measured speeds may exceed the full scale, but not twice the full scale.
     good = take_number(rest, speed) && std::abs(speed) <= 2 * kFullScale;
     wheels.push_back(speed * unit());
   }

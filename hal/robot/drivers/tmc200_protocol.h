@@ -21,21 +21,21 @@ struct Tmc200Settings {
     bool operator==(const Motor&) const = default;
   };
   std::string device;  ///< E.g. "/dev/ttyUSB0".
-  Motor motor;         ///< All three are alike, in the order of the robot's wheels.
+  Motor motor;         ///< Common to all three motors, in the order of the robot's wheels.
   Duration cut_off{};  ///< The controller stops the motors after this silence; 10 ms .. 2.55 s.
   DeviceTimes times;   ///< Period <= cut_off / 2.
   bool operator==(const Tmc200Settings&) const = default;
 };
 
-/// The lines of Fraunhofer AiS's TMC200 triple motor controller: a command, its arguments, a blank,
-/// a line feed. Sources: the command list of libtmc200ctrl (Fraunhofer AiS users' library, 2013);
-/// scale and answers as the driver of the RoboCup team Brainstormers Tribots speaks them
+/// The line protocol of Fraunhofer AiS's TMC200 triple motor controller: a command, its arguments,
+/// a blank, a line feed. Sources: the command list of libtmc200ctrl (Fraunhofer AiS users' library,
+/// 2013); scale and answers as used by the driver of the RoboCup team Brainstormers Tribots
 /// (University of Osnabrueck, 2005).
 ///
 ///   SMODE 1              closed speed loop                                        → OK
 ///   SMZNM n              motors off after n * 10 ms without a command             → OK
 ///   SENCO Mi r v d       2 * encoder lines, full-scale speed [rpm], half micro-
-///                        metres of way per encoder step                           → OK
+///                        metres of travel per encoder step                        → OK
 ///   SSEND 1              answer SV with the measured speeds                       → OK
 ///   SV a b c             speeds of the motors, 1024 = full scale                  → V a b c
 class Tmc200Protocol {
@@ -46,20 +46,20 @@ class Tmc200Protocol {
   /// @pre the robot has three wheels.
   Tmc200Protocol(const Tmc200Settings& settings, const node::devices::RobotDescription& robot);
 
-  /// What sets the controller up, each answered by "OK".
+  /// Commands that set the controller up, each answered by "OK".
   std::vector<std::string> set_up() const;
 
-  /// @param wheels  rad/s, three of them; beyond full scale: full scale.
+  /// @param wheels  rad/s, three of them; limited to the full scale.
   std::string set_speeds(const std::vector<double>& wheels) const;
 
   static bool is_ok(std::string_view line);
 
-  /// The measured speeds of the wheels [rad/s] from the answer to SV, which may go on with other
+  /// The measured speeds of the wheels [rad/s] from the answer to SV, which may continue with other
   /// values after a tab. Errors: kProtocol.
   Result<std::vector<double>> measured(std::string_view line) const;
 
  private:
-  /// A unit of speed, at the wheel. rad/s, signed as the motors are wired.
+  /// One unit of speed at the wheel, rad/s, with the sign of the motors' wiring.
   double unit() const;
   int full_scale_rpm() const;
 

@@ -21,7 +21,7 @@ void motor_keys(Fields& io, Tmc200Settings::Motor& motor) {
           motor.inverted);
 }
 
-/// The controller drives three motors and cannot turn them faster than its full scale.
+/// Checks that there are three motors, none faster than the controller's full scale.
 void check_motor(Fields& io, const Tmc200Settings& settings,
                  const node::devices::RobotDescription& robot) {
   const auto& wheels = robot.wheels;

@@ -11,17 +11,17 @@
 
 namespace hal::robot::drivers {
 
-/// A velocity, body frame, and how long it is in force; without more it is zero.
+/// A velocity in the body frame with its expiry; after that the velocity is zero.
 struct TimedVelocity {
   Twist2 body;
   platform::BootTime until{};
 
-  /// What is to be driven at a time. Whoever writes to a device asks right before that: between any
-  /// two instructions the computer may have slept.
+  /// The velocity at a time. Call it right before writing to a device: the computer may be
+  /// suspended between any two instructions.
   Twist2 at(platform::BootTime now) const { return now < until ? body : Twist2{}; }
 };
 
-/// The velocity that a device's thread shall send, handed over by other threads.
+/// The velocity for a device's thread to send, set by other threads.
 class VelocityCommand {
  public:
   struct Numbered {
@@ -29,10 +29,10 @@ class VelocityCommand {
     std::uint64_t number = 0;
   };
 
-  /// @param holds_for  how long a velocity is in force, > 0.
+  /// @param holds_for  how long a velocity is valid, > 0.
   explicit VelocityCommand(Duration holds_for) : holds_for_(holds_for) {}
 
-  /// @param as_of  from when on it is in force.
+  /// @param as_of  start of its validity.
   /// @return the command's number.
   std::uint64_t set(const Twist2& body, platform::BootTime as_of) {
     const std::scoped_lock lock(mutex_);
@@ -41,7 +41,7 @@ class VelocityCommand {
   }
   std::uint64_t stop() { return set({}, {}); }
 
-  /// The velocity is in force anew from then on, unless it had run out before.
+  /// Restarts the validity of the velocity at that time, unless it had expired before.
   void keep(platform::BootTime as_of) {
     const std::scoped_lock lock(mutex_);
     platform::BootTime& until = current_.velocity.until;
@@ -53,14 +53,14 @@ class VelocityCommand {
     return current_;
   }
 
-  /// The device has taken the command of that number.
+  /// The device has accepted the command with this number.
   void confirm(std::uint64_t number) {
     const std::scoped_lock lock(mutex_);
     confirmed_ = number;
     changed_.notify_all();
   }
 
-  /// Whether that command, or a later one, was confirmed in time.
+  /// Whether this command, or a later one, was confirmed in time.
   bool wait_for(std::uint64_t number, Duration at_most) {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, at_most, [&] { return confirmed_ >= number; });

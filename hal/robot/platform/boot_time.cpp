@@ -17,7 +17,7 @@ class WaitingBootClock final : public Clock {
 
 BootTime BootClock::now() noexcept {
   timespec now{};
-  ::clock_gettime(CLOCK_BOOTTIME, &now);  // cannot fail: the clock is there since Linux 2.6.39
+  ::clock_gettime(CLOCK_BOOTTIME, &now);  // cannot fail: the clock exists since Linux 2.6.39
   return BootTime{std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec}};
 }
 

@@ -7,9 +7,9 @@
 
 namespace hal::robot::platform {
 
-/// The clock of this computer that never jumps and goes on while the computer is suspended:
-/// clock_gettime(2), CLOCK_BOOTTIME. What was said or measured before a suspension is as old as it
-/// is afterwards; by std::chrono::steady_clock on Linux it would be as young as before.
+/// The monotonic clock of this computer that continues during suspension: clock_gettime(2),
+/// CLOCK_BOOTTIME. After a suspension, commands and measurements from before it have their true
+/// age; std::chrono::steady_clock on Linux does not count the suspension.
 struct BootClock {
   using duration = Duration;
   using rep = duration::rep;
@@ -22,7 +22,7 @@ struct BootClock {
 
 using BootTime = BootClock::time_point;
 
-/// The BootClock to be handed in; its time is that since the epoch of the BootClock.
+/// The BootClock as a Clock object; its times count from the epoch of the BootClock.
 Clock& boot_clock();
 
 }  // namespace hal::robot::platform

@@ -9,8 +9,8 @@
 namespace hal::robot::platform {
 namespace {
 
-/// A device that hangs up while it is written to is an error of that write, not the end of the
-/// program. Of this thread only: what the program does with the signal elsewhere is its own choice.
+/// A device that hangs up during a write causes an error of that write, not the end of the program.
+/// For this thread only: the program may handle the signal differently elsewhere.
 void block_broken_pipe_signals() {
   sigset_t signals;
   ::sigemptyset(&signals);

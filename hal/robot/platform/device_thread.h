@@ -12,21 +12,21 @@
 
 namespace hal::robot::platform {
 
-/// What a thread does with a device. All calls come from that thread.
+/// The operations of a thread on a device. All are called from that thread.
 class Device {
  public:
   virtual ~Device() = default;
-  /// Reaches the device. Must not take much longer than the device's time-out.
+  /// Connects to the device. Must not take much longer than the device's time-out.
   virtual Result<void> connect() = 0;
-  /// One exchange with it.
+  /// Performs one exchange with the device.
   virtual Result<void> work() = 0;
-  /// An exchange failed: the device is out of reach until connect() finds it again.
+  /// An exchange failed: the device is disconnected until connect() succeeds again.
   virtual void on_lost() {}
-  /// The last word, if the device is connected.
+  /// Called at the end if the device is connected.
   virtual void leave() {}
 };
 
-/// Keeps one device busy from a thread of its own.
+/// Communicates with one device periodically from its own thread.
 ///
 ///         ┌────── wait 100 ms, 200 ms, 400 ms, … 2 s ◀──────┐
 ///         ▼                                                 │ fails
@@ -40,8 +40,8 @@ class DeviceThread {
 
   struct Rules {
     Duration period{};   ///< From one exchange to the next, > 0.
-    Duration late{};     ///< Exchanges farther apart are counted as late; 0: none is.
-    Duration silence{};  ///< After so long without a success the device counts as disconnected.
+    Duration late{};     ///< Exchanges with a longer interval are counted as late; 0: none is.
+    Duration silence{};  ///< Time without a success after which the device counts as disconnected.
   };
 
   /// Starts at once. @param device  outlives finish().
@@ -50,14 +50,14 @@ class DeviceThread {
   DeviceThread(const DeviceThread&) = delete;
   DeviceThread& operator=(const DeviceThread&) = delete;
 
-  /// The next exchange shall come at once. A thread that waits before it connects goes on waiting.
+  /// Requests an immediate exchange. A wait before a connection attempt is not shortened.
   void wake();
 
-  /// Calls leave() and ends the thread. Waits for it.
+  /// Calls leave(), ends the thread and waits for it.
   void finish();
 
   bool connected() const;
-  std::string trouble() const;  ///< Empty while connected.
+  std::string trouble() const;  ///< Why the device is not connected; empty while it is.
   DeviceCounts counts() const;
 
  private:
@@ -67,7 +67,7 @@ class DeviceThread {
   void note(const Error& error);
   void note_success();
   bool fresh() const;  ///< @pre mutex_ is held.
-  /// False: the thread shall end.
+  /// @return false: the thread must end.
   bool wait(Duration at_most, bool may_be_woken);
 
   Device& device_;

@@ -17,7 +17,7 @@
 namespace hal::robot::platform {
 namespace {
 
-constexpr Duration kLongestSleep = std::chrono::hours{1};  // a sleep; a longer one is two
+constexpr Duration kLongestSleep = std::chrono::hours{1};  // longer sleeps are divided
 
 int checked(int result, const char* what) {
   if (result < 0) throw std::system_error(errno, std::generic_category(), what);
@@ -91,7 +91,8 @@ void EventLoop::take_signals() {
   while (::read(signals_, &one, sizeof one) == static_cast<ssize_t>(sizeof one)) {
     taken.push_back(static_cast<int>(one.ssi_signo));
   }
-  // The kernel does not tell in which order they were sent. SIGUSR1 comes after SIGUSR2 here.
+  // The kernel does not report the order in which they were sent. SIGUSR2 is handled before
+  // SIGUSR1.
   std::ranges::sort(taken, std::greater{});
   for (const int signal : taken) on_signal_(signal);
 }
@@ -135,10 +136,11 @@ void EventLoop::wait(Duration at_most) {
     polled.push_back({watched.descriptor, POLLIN, 0});
     watches.push_back(watch);
   }
-  if (clock_.wait(polled, at_most) <= 0) return;  // EINTR: look again
+  if (clock_.wait(polled, at_most) <= 0) return;  // EINTR: poll again
   for (std::size_t i = 0; i < polled.size(); ++i) {
     if (polled[i].revents == 0) continue;
-    // A handler before may have taken this one away. A copy, as it may take itself away, too.
+    // An earlier handler may have removed this watch. Copied, because the handler may remove
+    // itself.
     const auto found = watched_.find(watches[i]);
     if (found == watched_.end()) continue;
     const Handler handler = found->second.handler;
@@ -146,7 +148,7 @@ void EventLoop::wait(Duration at_most) {
   }
 }
 
-/// Those that are due now, not those that these cause: a descriptor must get its turn.
+/// Runs the timers due now, but not those scheduled by them, so that descriptors get their turn.
 void EventLoop::run_due_timers() {
   const Due until{now(), last_};
   while (!timers_.empty() && timers_.begin()->first <= until) {

@@ -13,13 +13,14 @@
 
 namespace hal::robot::platform {
 
-/// Takes signals off their usual ways, in this thread and in all that it starts from now on: until
-/// an EventLoop takes them they wait. @throws std::system_error
+/// Blocks signals in this thread and in all threads that it starts later; they stay pending until
+/// an EventLoop takes them.
+/// @throws std::system_error
 void block_signals(std::initializer_list<int> signals);
 
-/// The one thread of an agent daemon: timers on a clock, descriptors, signals, and what other
-/// threads hand over. Everything runs in run(), one handler at a time. A timer that came due while
-/// the computer was suspended comes late, by no more than the loop would still have slept.
+/// The event loop of an agent daemon: timers on a clock, descriptors, signals, and handlers posted
+/// by other threads. Everything runs in run(), one handler at a time. A timer that expired while
+/// the computer was suspended is late by at most the remaining sleep of the loop.
 ///
 ///   EventLoop loop;                                     // before any thread is started
 ///   loop.on_signals({SIGTERM}, [&](int) { loop.stop(); });
@@ -39,32 +40,34 @@ class EventLoop final : public node::routing::Timers {
   EventLoop& operator=(const EventLoop&) = delete;
 
   Time now() const override;
-  /// When the loop goes by the BootClock: a time of the loop as that clock tells it.
+  /// A time of the loop on the BootClock. @pre the loop uses the BootClock.
   BootTime on_boot_clock(Time at) const {
     return BootTime{start_.time_since_epoch() + at.time_since_epoch()};
   }
-  /// A time in the past is now.
+  /// A time in the past means now.
   Handle schedule(Time at, Handler handler) override;
   void cancel(Handle handle) override;
 
   using Watch = std::uint64_t;  ///< Never 0.
-  /// Calls the handler while the descriptor is readable, or has failed. Several may watch one.
+  /// Calls the handler whenever the descriptor is readable or has failed. Several watches may share
+  /// one descriptor.
   Watch watch(int descriptor, Handler on_readable);
-  void unwatch(Watch watch);  ///< One that is not there: no effect.
+  void unwatch(Watch watch);  ///< No effect if there is no such watch.
 
-  /// Takes these signals into the loop, which blocks them as block_signals() does: call this or
-  /// that before any thread is started. Once.
+  /// Handles these signals in the loop and blocks them as block_signals() does: call this function
+  /// or block_signals() before any thread is started. Call once.
   /// @throws std::system_error
   void on_signals(std::initializer_list<int> signals, std::function<void(int signal)> handler);
 
-  /// Runs the handler in the loop, soon. Any thread.
+  /// Runs the handler in the loop as soon as possible. Any thread.
   void post(Handler handler);
 
-  /// Works until stop() is called.
+  /// Runs until stop() is called.
   void run();
-  void stop() { stopped_ = true; }  ///< From a handler.
+  void stop() { stopped_ = true; }  ///< Call from a handler.
 
-  /// Works off what is due, waiting for something at most so long. For tests and for a last word.
+  /// Handles what is due, waiting for events at most that long. For tests and for the last
+  /// exchange.
   void run_once(Duration at_most);
 
  private:
@@ -89,7 +92,7 @@ class EventLoop final : public node::routing::Timers {
   std::function<void(int)> on_signal_;
   int signals_ = -1;
   int wake_up_ = -1;
-  std::mutex mutex_;  ///< Of posted_.
+  std::mutex mutex_;  ///< Protects posted_.
   std::vector<Handler> posted_;
   bool stopped_ = false;
 };

@@ -41,7 +41,7 @@ InterfaceWatch::~InterfaceWatch() {
   ::close(socket_);
 }
 
-/// What it says does not matter: interfaces are looked at anew. Nor does it if some of it is lost.
+/// Discards the notifications, whether or not some were lost: interfaces are queried again anyway.
 void InterfaceWatch::drain() const {
   std::array<char, 8192> said;
   ssize_t size = 0;

@@ -6,10 +6,10 @@
 
 namespace hal::robot::platform {
 
-/// Tells when a network interface comes, goes or changes, or an IPv4 address does (rtnetlink(7)).
+/// Reports when a network interface or an IPv4 address is added, removed or changed (rtnetlink(7)).
 class InterfaceWatch {
  public:
-  /// @param on_change  called in the loop, once for what changed together. The loop outlives this.
+  /// @param on_change  called in the loop, once for simultaneous changes. The loop outlives this.
   /// @throws std::system_error
   InterfaceWatch(EventLoop& loop, std::function<void()> on_change);
   ~InterfaceWatch();

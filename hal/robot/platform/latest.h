@@ -13,8 +13,8 @@
 
 namespace hal::robot::platform {
 
-/// The last value a device's thread got, for other threads; `T` has a `stamp`. A value that is too
-/// old is not given away.
+/// The last value from a device's thread, for other threads; `T` has a `stamp`. A value that is too
+/// old is not returned.
 template <class T>
 class Latest {
  public:

@@ -48,7 +48,7 @@ Result<void> SerialLine::open(const std::string& device) {
     close();
     return error;
   }
-  (void)::ioctl(descriptor_, TIOCEXCL);  // best effort: not every line knows it
+  (void)::ioctl(descriptor_, TIOCEXCL);  // best effort: some devices do not support it
   ::tcflush(descriptor_, TCIOFLUSH);
   return {};
 }
@@ -87,7 +87,7 @@ Result<std::optional<std::string>> SerialLine::read(Duration at_most) {
   }
 }
 
-/// @return whether anything came.
+/// @return whether bytes were received.
 Result<bool> SerialLine::receive(Duration at_most) {
   pollfd waiting{.fd = descriptor_, .events = POLLIN, .revents = 0};
   const auto ms = std::chrono::ceil<std::chrono::milliseconds>(at_most);
@@ -122,7 +122,7 @@ void SerialLine::forget_unsent() {
   if (unsent() > 0) ::tcflush(descriptor_, TCOFLUSH);
 }
 
-/// tcdrain(3) would wait for ever if the line is stuck.
+/// Polls, because tcdrain(3) would block for ever on a stuck line.
 void SerialLine::drain(Duration at_most) const {
   const BootTime end = BootClock::now() + at_most;
   while (unsent() > 0 && BootClock::now() < end) std::this_thread::sleep_for(kDrainPoll);

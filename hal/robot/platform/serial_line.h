@@ -9,8 +9,8 @@
 
 namespace hal::robot::platform {
 
-/// A serial line of text: 57600 baud, 8 data bits, no parity, 1 stop bit, raw, for this process
-/// alone. One thread.
+/// A serial line for text: 57600 baud, 8 data bits, no parity, 1 stop bit, raw, exclusive to this
+/// process. One thread.
 class SerialLine {
  public:
   SerialLine() = default;
@@ -18,24 +18,25 @@ class SerialLine {
   SerialLine(const SerialLine&) = delete;
   SerialLine& operator=(const SerialLine&) = delete;
 
-  /// Opens a device and forgets what came in before. Errors: kNotConnected.
+  /// Opens a device and discards earlier input. Errors: kNotConnected.
   Result<void> open(const std::string& device);
-  /// What is not sent yet is forgotten: the system would wait for a stuck line, up to 30 s.
+  /// Closes the device and discards unsent bytes: the system would wait for a stuck line, up to 30
+  /// s.
   void close();
 
-  /// Queues bytes for sending. Errors: kNotConnected (also: the line takes no more).
+  /// Queues bytes for transmission. Errors: kNotConnected (also if the queue is full).
   Result<void> write(std::string_view text);
 
-  /// Bytes that are queued and not sent yet.
+  /// Number of queued bytes that have not been sent.
   std::size_t unsent() const;
-  /// Forgets those. The far end may have got a part of a line.
+  /// Discards them. The receiver may have got a part of a line.
   void forget_unsent();
 
-  /// The next line, without its end (LF or CR LF); nothing: none came within the time.
+  /// The next line, without its end (LF or CR LF); nullopt: none arrived in time.
   /// Errors: kNotConnected (hung up), kProtocol (longer than any line should be).
   Result<std::optional<std::string>> read(Duration at_most);
 
-  /// Waits until everything was sent, but no longer than so.
+  /// Waits until everything was sent, but at most that long.
   void drain(Duration at_most) const;
 
  private:

@@ -8,15 +8,15 @@
 
 namespace hal::robot::platform {
 
-/// Heeds signals on a thread of its own: those that must not wait for a loop, which may hang in a
-/// system call, for example because nobody reads its log.
+/// Handles signals on its own thread: those that must not wait for a loop, which may hang in a
+/// system call, for example because its log is not being read.
 ///
 ///   block_signals({SIGUSR1});                       // before any thread is started
 ///   …
-///   SignalThread stops({SIGUSR1}, [&](int) { … });  // also heeds those that came meanwhile
+///   SignalThread stops({SIGUSR1}, [&](int) { … });  // also handles earlier signals
 class SignalThread {
  public:
-  /// @param signals  blocked in all threads.  @param handler  is called on the other thread.
+  /// @param signals  blocked in all threads.  @param handler  called on the new thread.
   /// @throws std::system_error
   SignalThread(std::initializer_list<int> signals, std::function<void(int signal)> handler);
   ~SignalThread();

@@ -10,12 +10,12 @@
 
 namespace hal::robot::radio {
 
-/// What travels between daemons: a frame of the routing behind ten bytes, big-endian.
+/// The format of datagrams between daemons: ten bytes, big-endian, then a frame of the routing.
 ///
 ///   offset  0 …        4          5     6 … 7              8 … 9
-///           "BRKA"     version 1  0     agent that sends   bytes that follow
+///           "BRKA"     version 1  0     transmitter's address  length of the frame
 ///
-/// A datagram with any other content there, or of another length, is not ours.
+/// A datagram with other contents there, or with another length, is not of this format.
 inline constexpr std::size_t kDatagramHeader = 10;
 /// Longest frame, in bytes: one MSDU (IEEE Std 802.11-2016, 9.2.4.7), as in the simulator.
 inline constexpr std::size_t kMaxFrame = 2304;
@@ -29,7 +29,7 @@ struct ReceivedFrame {
   std::span<const std::uint8_t> bytes;
 };
 
-/// Nothing if the datagram is malformed, or comes from no possible agent (0 or kEveryone).
+/// nullopt if the datagram is malformed, or its transmitter's address is invalid (0 or kEveryone).
 std::optional<ReceivedFrame> from_datagram(std::span<const std::uint8_t> datagram);
 
 }  // namespace hal::robot::radio

@@ -7,29 +7,30 @@
 
 namespace hal::robot::radio {
 
-/// Where a node sends from, and where it reaches all its neighbours.
+/// The address from which a node sends, and that with which it reaches all its neighbours.
 struct UdpAddresses {
   in_addr own{};
-  in_addr broadcast{};     ///< Of the same network.
-  unsigned interface = 0;  ///< Its number: another one when it was away meanwhile.
+  in_addr broadcast{};  ///< Of the same network.
+  /// Index of the interface; it changes when the interface is removed and added again.
+  unsigned interface = 0;
 };
 bool operator==(const UdpAddresses& a, const UdpAddresses& b);
 
 /// The addresses of a network interface.
 /// @param interface  e.g. "eth0".
-/// @param address    one of the interface's IPv4 addresses in dotted form, for a loopback interface
-///                   any of its network (all of 127.0.0.0/8 answer); empty: the first one.
+/// @param address    one of the interface's IPv4 addresses in dotted form; for a loopback interface
+///   any address of its network (all of 127.0.0.0/8 answer); empty: the first one.
 /// @throws NoAddressYet
-/// @throws std::runtime_error  naming the interfaces there are, or the interface's addresses.
+/// @throws std::runtime_error  naming the existing interfaces, or the interface's addresses.
 UdpAddresses find_addresses(const std::string& interface, const std::string& address);
 
-/// The interface is there and waits for an address: it is not up yet, DHCP has not answered, …
+/// The interface exists but has no address yet: it is not up, DHCP has not answered, …
 struct NoAddressYet : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// @param address  in dotted form.
-/// @throws std::runtime_error  if no interface has it, naming those there are.
+/// @throws std::runtime_error  if no interface has it, naming the existing addresses.
 void require_address(const std::string& address);
 
 /// In dotted form.

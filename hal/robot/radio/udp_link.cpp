@@ -22,11 +22,12 @@ namespace {
 constexpr int kOn = 1;
 constexpr const char* kWhere = "radio";
 constexpr std::size_t kBitsPerByte = 8;
-/// Without a network it is looked for this often, though the kernel tells when there is one.
+/// Without a network it is searched for at this interval, in addition to the kernel's
+/// notifications.
 constexpr Duration kRetryAfter = std::chrono::seconds{1};
-/// Bytes that travel with a datagram: Ethernet 18, IPv4 20 (RFC 791), UDP 8 (RFC 768).
+/// Octets added to a datagram: Ethernet 18, IPv4 20 (RFC 791), UDP 8 (RFC 768).
 constexpr std::size_t kHeadersBelow = 46;
-/// Datagrams taken in one go, so that a flood of them does not hold up timers.
+/// Maximum number of datagrams handled at once, so that a flood of them does not delay timers.
 constexpr int kAtOnce = 64;
 
 sockaddr_in socket_address(in_addr address, std::uint16_t port) {
@@ -37,7 +38,7 @@ sockaddr_in socket_address(in_addr address, std::uint16_t port) {
   return in;
 }
 
-// The sockets API takes every kind of address as a sockaddr.
+// The sockets API takes addresses of every kind as sockaddr.
 const sockaddr* generic(const sockaddr_in& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
@@ -80,7 +81,7 @@ UdpLink::~UdpLink() {
   close();
 }
 
-/// @throws std::runtime_error  and nothing is open.
+/// @throws std::runtime_error  after closing everything.
 void UdpLink::open(const UdpAddresses& addresses) {
   addresses_ = addresses;
   own_ = open_socket(addresses.own, false);
@@ -102,7 +103,7 @@ void UdpLink::close() {
   }
 }
 
-/// Interfaces have changed; not always this one.
+/// Handles a change of interfaces, which need not concern this one.
 void UdpLink::renew() {
   loop_.cancel(std::exchange(retry_, 0));
   const bool was_open = own_ >= 0;
@@ -121,13 +122,13 @@ void UdpLink::renew() {
   }
 }
 
-/// @param shared  with other nodes of this machine: each gets its copy of a broadcast (socket(7)).
+/// @param shared  with other nodes of this computer: each gets a copy of a broadcast (socket(7)).
 int UdpLink::open_socket(in_addr address, bool shared) const {
   const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (socket < 0) give_up(socket, "no UDP socket");
   setsockopt(socket, SOL_SOCKET, SO_BROADCAST, &kOn, sizeof kOn);
   if (shared) setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &kOn, sizeof kOn);
-  // Tells two interfaces of one network apart. Not everywhere allowed, and the address will do.
+  // Distinguishes two interfaces in one network. It may be forbidden; the address then suffices.
   setsockopt(socket, SOL_SOCKET, SO_BINDTODEVICE, config_.interface.c_str(),
              static_cast<socklen_t>(config_.interface.size()));
   const sockaddr_in bound = socket_address(address, config_.port);
@@ -164,7 +165,7 @@ void UdpLink::transmit(AgentId next_hop, Bytes frame, node::routing::LinkTag) {
   note_error(sent < 0 ? errno : 0);
 }
 
-/// A full queue is everyday life; another error is worth a line when it comes and when it goes.
+/// Ignores a full queue, which is normal; logs when any other error begins and when it ends.
 void UdpLink::note_error(int error) {
   if (error == EAGAIN || error == ENOBUFS || error == EINTR || error == last_error_) return;
   last_error_ = error;
@@ -183,7 +184,7 @@ void UdpLink::receive(int socket) {
     socklen_t size = sizeof from;
     const auto length = recvfrom(socket, buffer.data(), buffer.size(), MSG_DONTWAIT | MSG_TRUNC,
                                  generic(from), &size);
-    if (length < 0) return;  // nothing left; or the network is down, which sending reports
+    if (length < 0) return;  // nothing left, or the network is down, which sending reports
     if (static_cast<std::size_t>(length) > buffer.size()) {
       ++counts_.malformed;
       continue;
