@@ -16,14 +16,13 @@ namespace hal::node::routing {
 ///
 /// Formulae, by the numbers that the comments of this protocol use (they are not the papers'):
 ///
-///   (A1) T_mac := alpha T_mac + (1 - alpha) t                      [PPSN], 3.1; anthocnet_mac_time
-///   (A2) T_i = (Q + 1) T_mac                                       [PPSN], 3.1; anthocnet_mac_time
-///   (A3) tau = ((T + h T_hop) / 2)^-1, T the sum of T_i            [PPSN], 3.1; anthocnet_node
-///   (A4) T_nd := gamma T_nd + (1 - gamma) tau                      [PPSN]; anthocnet_pheromone
-///   (A5) P_nd = T_nd^beta / sum over j of T_jd^beta                [PPSN], 3.2;
-///   anthocnet_pheromone (A6) v' = (1 / v + (T_i + T_hop) / 2)^-1                       [ETT], 3.4;
-///   anthocnet_diffusion (A7) h <= a h_best and T <= a T_best                           [ETT], 3.2;
-///   anthocnet_ants
+///   (A1) T_mac := alpha T_mac + (1 - alpha) t              [PPSN], 3.1; anthocnet_mac_time
+///   (A2) T_i = (Q + 1) T_mac                               [PPSN], 3.1; anthocnet_mac_time
+///   (A3) tau = ((T + h T_hop) / 2)^-1, T the sum of T_i    [PPSN], 3.1; anthocnet_node
+///   (A4) T_nd := gamma T_nd + (1 - gamma) tau              [PPSN]; anthocnet_pheromone
+///   (A5) P_nd = T_nd^beta / sum over j of T_jd^beta        [PPSN], 3.2; anthocnet_pheromone
+///   (A6) v' = (1 / v + (T_i + T_hop) / 2)^-1               [ETT], 3.4; anthocnet_diffusion
+///   (A7) h <= a h_best and T <= a T_best                   [ETT], 3.2; anthocnet_ants
 ///
 /// with t the time of one successful transmission, Q the number of frames that wait, T_i the
 /// expected time of a hop, T and h the time and the hops of a path, T_nd the pheromone towards d
