@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "hal/node/devices/sensors.h"
 #include "hal/types/check.h"
 #include "sim/agents/quantities.h"
 #include "sim/radio/frame.h"
@@ -34,8 +35,7 @@ bool LookLog::observes(hal::AgentId, const hal::Channel& channel) const {
   if (settings_.readings == sim::scenario::Detail::kAll) return true;
   if (settings_.readings == sim::scenario::Detail::kNone || channel.length > kFewValues)
     return false;
-  constexpr std::string_view kQuiet[] = {"range", "sonar", "scan", "bumper"};
-  return std::ranges::find(kQuiet, channel.kind) != std::end(kQuiet);
+  return channel.kind == "range" || hal::node::devices::is_quiet(channel.kind);
 }
 
 LookLog::Agent& LookLog::agent(hal::AgentId id) {

@@ -1,6 +1,5 @@
 #include "sim/radio/fading.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,8 +10,6 @@ namespace sim::radio {
 namespace {
 
 constexpr double kTurn = 2 * hal::math::kPi;
-
-double squared(double x) { return x * x; }
 
 }  // namespace
 
@@ -44,49 +41,6 @@ Fading::Wave Fading::direct(const Path& path) const {
   const double turns = std::sqrt(path.distance_squared) / wavelength_;
   const double phase = kTurn * (turns - std::floor(turns));
   return {hal::math::cos(phase), hal::math::sin(phase)};
-}
-
-hal::Milliwatts RayleighFading::after(hal::Milliwatts power, const Path& path) const {
-  const Wave wave = scattered(path);
-  return (squared(wave.in_phase) + squared(wave.quadrature)) * power;
-}
-
-RicianFading::RicianFading(const RicianConfig& config, hal::Metres wavelength)
-    : Fading(config, wavelength) {
-  const double k = hal::math::pow(10, config.k.value / 10);
-  direct_ = std::sqrt(k / (k + 1));
-  scattered_ = std::sqrt(1 / (k + 1));
-}
-
-hal::Milliwatts RicianFading::after(hal::Milliwatts power, const Path& path) const {
-  const Wave ray = direct(path), rest = scattered(path);
-  return (squared(direct_ * ray.in_phase + scattered_ * rest.in_phase) +
-          squared(direct_ * ray.quadrature + scattered_ * rest.quadrature)) *
-         power;
-}
-
-double RicianFading::most_gain() const {
-  return squared(direct_ + scattered_ * std::sqrt(static_cast<double>(kWaves)));
-}
-
-NakagamiFading::NakagamiFading(const NakagamiConfig& config, hal::Metres wavelength)
-    : Fading(config, wavelength),
-      by_distance_{GammaQuantile(config.m_near, kWaves), GammaQuantile(config.m_middle, kWaves),
-                   GammaQuantile(config.m_far, kWaves)},
-      middle_from_(squared(config.middle_from.value)),
-      far_from_(squared(config.far_from.value)) {}
-
-hal::Milliwatts NakagamiFading::after(hal::Milliwatts power, const Path& path) const {
-  const double d2 = path.distance_squared;
-  const GammaQuantile& quantile = by_distance_[(d2 >= middle_from_) + (d2 >= far_from_)];
-  const Wave wave = scattered(path);
-  return quantile(squared(wave.in_phase) + squared(wave.quadrature)) * power;
-}
-
-double NakagamiFading::most_gain() const {
-  double most = 1;
-  for (const GammaQuantile& quantile : by_distance_) most = std::max(most, quantile(kWaves));
-  return most;
 }
 
 }  // namespace sim::radio

@@ -1,12 +1,25 @@
 #pragma once
 
-#include <array>
-
-#include "sim/radio/gamma_quantile.h"
 #include "sim/radio/path_loss.h"
-#include "sim/radio/path_loss_config.h"
 
 namespace sim::radio {
+
+/// Common part of all models of fading in time.
+struct FadingConfig {
+  static constexpr PathLossKind kKind = PathLossKind::kFading;
+  /// Speed of the scatterers, m/s, >= 0. With 0 fading depends only on the positions of the ends.
+  double scatterer_speed = 0;
+};
+
+/// The keys that all models of fading share.
+template <class Fields>
+void keys_of(Fields& io, FadingConfig& c) {
+  io.number({"scatterer_speed",
+             "Of what reflects the waves; it adds to the speed of the nodes. 0 m/s: a link changes "
+             "only when one of its ends moves.",
+             "1 m/s"},
+            "m/s", {0, 1000}, c.scatterer_speed);
+}
 
 /// Fading by scatterers all around (R. H. Clarke, "A statistical theory of mobile-radio reception",
 /// BSTJ 47, 1968; W. C. Jakes, "Microwave Mobile Communications", 1974): the sum of plane waves of
@@ -27,6 +40,7 @@ class Fading : public PathLoss {
 
   struct Wave {
     double in_phase, quadrature;
+    double power() const { return in_phase * in_phase + quadrature * quadrature; }
   };
   /// Mean power 1.
   Wave scattered(const Path& path) const;
@@ -38,41 +52,6 @@ class Fading : public PathLoss {
  private:
   double wavelength_;  ///< m
   double speed_;       ///< m/s
-};
-
-/// No direct ray: power exponential.
-class RayleighFading final : public Fading {
- public:
-  RayleighFading(const RayleighConfig& config, hal::Metres wavelength)
-      : Fading(config, wavelength) {}
-  hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
-  double most_gain() const override { return kWaves; }
-};
-
-/// A direct ray with K times the power of all others (S. O. Rice, "Statistical properties of a sine
-/// wave plus random noise", BSTJ 27, 1948).
-class RicianFading final : public Fading {
- public:
-  RicianFading(const RicianConfig& config, hal::Metres wavelength);
-  hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
-  double most_gain() const override;
-
- private:
-  double direct_, scattered_;  ///< Amplitudes.
-};
-
-/// Power with a gamma distribution of shape m and the mean 1 (M. Nakagami, "The m-distribution",
-/// 1960), m by distance: the gamma quantile of the Rayleigh power's rank, so that it crosses a
-/// level when Rayleigh fading crosses that of equal rank.
-class NakagamiFading final : public Fading {
- public:
-  NakagamiFading(const NakagamiConfig& config, hal::Metres wavelength);
-  hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
-  double most_gain() const override;
-
- private:
-  std::array<GammaQuantile, 3> by_distance_;
-  double middle_from_, far_from_;  ///< m^2
 };
 
 }  // namespace sim::radio

@@ -1,13 +1,26 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <string_view>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/core/ground.h"
 
 namespace sim::radio {
+
+struct PropagationConfig;
+
+/// Kind of an entry in a propagation chain. Each model has its kind in `kKind` and its name in
+/// files in `kModel`.
+enum class PathLossKind : std::uint8_t {
+  kLawOfDistance,  ///< Power decreases with distance without limit. A chain has exactly one.
+  kOfLinks,        ///< Constant for a link whose ends do not move; differs between links.
+  kFading,         ///< Each link fades in time. A chain has at most one.
+};
 
 /// An antenna where it stands.
 struct Site {

@@ -1,96 +1,38 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
-#include "hal/types/quantity.h"
+#include "sim/radio/foreign_law.h"
+#include "sim/radio/friis.h"
+#include "sim/radio/log_distance.h"
+#include "sim/radio/nakagami.h"
+#include "sim/radio/path_loss.h"
+#include "sim/radio/power_law.h"
+#include "sim/radio/rayleigh.h"
+#include "sim/radio/rician.h"
+#include "sim/radio/shadowing.h"
+#include "sim/radio/two_ray_ground.h"
 
 namespace sim::radio {
 
-class PathLoss;
-struct PropagationConfig;
-
-/// Kind of an entry in a propagation chain. Each model has its kind in `kKind` and its name in
-/// files in `kModel`.
-enum class PathLossKind : std::uint8_t {
-  kLawOfDistance,  ///< Power decreases with distance without limit. A chain has exactly one.
-  kOfLinks,        ///< Constant for a link whose ends do not move; differs between links.
-  kFading,         ///< Each link fades in time. A chain has at most one.
-};
-
-/// Free space (Friis): the power law with exponent 2.
-struct FriisConfig {
-  static constexpr std::string_view kModel = "friis";
-  static constexpr PathLossKind kKind = PathLossKind::kLawOfDistance;
-};
-
-/// Pt lambda^2 / (16 pi^2 d^alpha), alpha = PropagationConfig::path_loss_exponent.
-struct PowerLawConfig {
-  static constexpr std::string_view kModel = "power_law";
-  static constexpr PathLossKind kKind = PathLossKind::kLawOfDistance;
-};
-
-/// L0 + 10 n log10(d / d0) dB; L0 up to the reference distance.
-struct LogDistanceConfig {
-  static constexpr std::string_view kModel = "log_distance";
-  static constexpr PathLossKind kKind = PathLossKind::kLawOfDistance;
-  hal::Decibels reference_loss{46.6777};  ///< L0; the default is Friis' at 1 m and 5.15 GHz. >= 0
-  hal::Metres reference_distance{1};      ///< d0 > 0
-  double exponent = 3;                    ///< n >= 1
-};
-
-/// Friis up to the crossover distance, the fourth power of the distance beyond.
-struct TwoRayGroundConfig {
-  static constexpr std::string_view kModel = "two_ray_ground";
-  static constexpr PathLossKind kKind = PathLossKind::kLawOfDistance;
-};
-
-/// Log-normal shadowing: a value of each link for each position of its ends.
-struct ShadowingConfig {
-  static constexpr std::string_view kModel = "shadowing";
-  static constexpr PathLossKind kKind = PathLossKind::kOfLinks;
-  hal::Decibels sigma{4};                  ///< >= 0; values are cut at three times that.
-  hal::Metres decorrelation_distance{20};  ///< > 0; correlation 1/e when one end moved this far.
-};
-
-/// Common part of all models of fading in time.
-struct FadingConfig {
-  static constexpr PathLossKind kKind = PathLossKind::kFading;
-  /// Speed of the scatterers, m/s, >= 0. With 0 fading depends only on the positions of the ends.
-  double scatterer_speed = 0;
-};
-
-struct RayleighConfig : FadingConfig {
-  static constexpr std::string_view kModel = "rayleigh";
-};
-
-struct RicianConfig : FadingConfig {
-  static constexpr std::string_view kModel = "rician";
-  hal::Decibels k{6};  ///< K factor: power of the direct path over that of all others.
-};
-
-/// The shape m depends on distance; the defaults are ns-3's.
-struct NakagamiConfig : FadingConfig {
-  static constexpr std::string_view kModel = "nakagami";
-  double m_near = 1.5, m_middle = 0.75, m_far = 0.75;  ///< 0.5 .. 50
-  hal::Metres middle_from{80}, far_from{200};          ///< 0 <= middle_from <= far_from
-};
-
-/// A law of a program that links the simulator, or of a test. Files cannot name it; records and
-/// messages do.
-struct ForeignLawConfig {
-  std::string_view model;  ///< Its name; outlives the config, as a literal does.
-  PathLossKind kind = PathLossKind::kLawOfDistance;
-  /// Never null. @param air  as path_loss() gets it.
-  std::unique_ptr<const PathLoss> (*make)(const PropagationConfig& air) = nullptr;
-};
-
-/// One entry of a chain of propagation. Files can name all but the last.
+/// One entry of a chain of propagation: the list of all laws, by what their headers have.
+///
+///   struct FriisConfig                     its settings, with its kModel and kKind
+///   keys_of(Fields& io, FriisConfig& c)    its keys, as hal/files/description/fields.h has them;
+///                                          a template, for this folder does not see that file
+///   make(const FriisConfig&, air, ground)  its PathLoss
+///
+/// Files can name all but the last one, by kModel.
 using PathLossConfig =
     std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, TwoRayGroundConfig,
                  ShadowingConfig, NakagamiConfig, RicianConfig, RayleighConfig, ForeignLawConfig>;
+
+/// Number of those that files can name.
+inline constexpr std::size_t kNamedLaws = std::variant_size_v<PathLossConfig> - 1;
+static_assert(
+    std::is_same_v<std::variant_alternative_t<kNamedLaws, PathLossConfig>, ForeignLawConfig>);
 
 inline PathLossKind kind_of(const PathLossConfig& config) {
   return std::visit(

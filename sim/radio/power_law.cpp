@@ -1,8 +1,14 @@
 #include "sim/radio/power_law.h"
 
 #include "hal/types/math.h"
+#include "sim/radio/radio_config.h"
 
 namespace sim::radio {
+
+std::unique_ptr<const PathLoss> make(const PowerLawConfig& /*config*/, const PropagationConfig& air,
+                                     const Ground& /*ground*/) {
+  return std::make_unique<PowerLaw>(air.wavelength, air.path_loss_exponent);
+}
 
 /// Of a transmitter with this power [mW], were the law true there.
 double PowerLaw::at_one_metre(double power) const {

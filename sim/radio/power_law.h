@@ -7,6 +7,18 @@
 
 namespace sim::radio {
 
+/// Pt lambda^2 / (16 pi^2 d^alpha), alpha = PropagationConfig::path_loss_exponent.
+struct PowerLawConfig {
+  static constexpr std::string_view kModel = "power_law";
+  static constexpr PathLossKind kKind = PathLossKind::kLawOfDistance;
+};
+
+template <class Fields>
+void keys_of(Fields& /*io*/, PowerLawConfig& /*config*/) {}
+
+std::unique_ptr<const PathLoss> make(const PowerLawConfig& config, const PropagationConfig& air,
+                                     const Ground& ground);
+
 /// The root of `square` to an exponent >= 1; the exponents of almost every scenario need no pow().
 inline double to_the(double exponent, double square) {
   if (exponent == 2) return square;

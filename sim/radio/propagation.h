@@ -19,8 +19,8 @@ hal::Milliwatts to_milliwatts(hal::Dbm level);
 
 /// From one antenna to another: what arrives of a frame. A chain of path losses, then the walls.
 ///
-/// mobility_framework and ieee80211b: the chain of their config. disk and ideal: Cutoff. A new law
-/// of propagation is a class of path loss and a line where the chain is made.
+/// mobility_framework and ieee80211b: the chain of their config (path_loss_config.h). disk and
+/// ideal: Cutoff.
 ///
 /// What depends only on where the two ends are is a Steady, computed when one has moved. The rest,
 /// fading in time and bodies in the way, is looked at when a frame starts, and only where it is

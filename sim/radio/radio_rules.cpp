@@ -177,7 +177,6 @@ void ask_station(Rules& rules, const RadioConfig& config, const StationConfig& c
 }  // namespace
 
 std::string models_of(PathLossKind kind) {
-  constexpr std::size_t kModels = std::variant_size_v<PathLossConfig> - 1;  // but foreign laws
   std::vector<std::string_view> names;
   const auto add = [&]<class Law>(const Law& law) {
     if (Law::kKind == kind) names.push_back(law.kModel);
@@ -185,7 +184,7 @@ std::string models_of(PathLossKind kind) {
   [&]<std::size_t... kIndex>(std::index_sequence<kIndex...> /*all*/) {
     (add(std::variant_alternative_t<kIndex, PathLossConfig>{}), ...);
   }
-  (std::make_index_sequence<kModels>{});
+  (std::make_index_sequence<kNamedLaws>{});
   if (names.size() == 1) return std::string(names.front());
   return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }

@@ -41,6 +41,11 @@ double gain(double decibels) { return hal::math::pow(10, decibels / 10); }
 
 }  // namespace
 
+std::unique_ptr<const PathLoss> make(const ShadowingConfig& config,
+                                     const PropagationConfig& /*air*/, const Ground& /*ground*/) {
+  return std::make_unique<Shadowing>(config);
+}
+
 hal::Milliwatts Shadowing::after(hal::Milliwatts power, const Path& path) const {
   return gain(sigma_ * deviation(path, distance_)) * power;
 }

@@ -1,9 +1,29 @@
 #pragma once
 
 #include "sim/radio/path_loss.h"
-#include "sim/radio/path_loss_config.h"
 
 namespace sim::radio {
+
+/// Log-normal shadowing: a value of each link for each position of its ends.
+struct ShadowingConfig {
+  static constexpr std::string_view kModel = "shadowing";
+  static constexpr PathLossKind kKind = PathLossKind::kOfLinks;
+  hal::Decibels sigma{4};                  ///< >= 0; values are cut at three times that.
+  hal::Metres decorrelation_distance{20};  ///< > 0; correlation 1/e when one end moved this far.
+};
+
+template <class Fields>
+void keys_of(Fields& io, ShadowingConfig& c) {
+  io.quantity({"sigma", "Standard deviation among links; none differs by more than three times it.",
+               "4 dB"},
+              "dB", {0, 30}, c.sigma);
+  io.quantity({"decorrelation_distance",
+               "If one end moves so far, the correlation falls to 1/e, exponentially.", "20 m"},
+              "m", {1e-3, 1e6}, c.decorrelation_distance);
+}
+
+std::unique_ptr<const PathLoss> make(const ShadowingConfig& config, const PropagationConfig& air,
+                                     const Ground& ground);
 
 /// Log-normal shadowing, frozen for each link as long as its ends stay: X dB, normal with mean 0
 /// and standard deviation sigma, cut at 3 sigma. Where one end goes from p to p' the correlation

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
+#include "hal/node/devices/sensors.h"
 #include "hal/types/pattern.h"
 #include "sim/agents/agent_offer.h"
 
@@ -16,22 +16,9 @@ constexpr std::string_view kBatteryKind = "battery";
 
 using Names = std::vector<std::pair<std::string, std::string>>;
 
-/// Names of values by kind of channel: see hal/types/channel.h.
-const std::map<std::string, Names, std::less<>>& names_by_kind() {
-  static const std::map<std::string, Names, std::less<>> names = {
-      {"odometry",
-       {{"x", "m"}, {"y", "m"}, {"yaw", "rad"}, {"vx", "m/s"}, {"vy", "m/s"}, {"omega", "rad/s"}}},
-      {"pose", {{"x", "m"}, {"y", "m"}, {"yaw", "rad"}}},
-      {"bumper", {{"touched", "1"}}},
-      {"battery",
-       {{"charge", "1"}, {"voltage", "V"}, {"current", "A"}, {"energy", "J"}, {"capacity", "J"}}},
-      {"imu",
-       {{"rate_x", "rad/s"},
-        {"rate_y", "rad/s"},
-        {"rate_z", "rad/s"},
-        {"force_x", "m/s^2"},
-        {"force_y", "m/s^2"},
-        {"force_z", "m/s^2"}}}};
+const Names& names_of_odometry() {
+  static const Names names{{"x", "m"},    {"y", "m"},    {"yaw", "rad"},
+                           {"vx", "m/s"}, {"vy", "m/s"}, {"omega", "rad/s"}};
   return names;
 }
 
@@ -91,13 +78,16 @@ bool ObservablePattern::has_value(std::string_view value_name) const {
 }
 
 Names values_of(const hal::Channel& channel) {
-  const auto named = names_by_kind().find(channel.kind);
-  if (named != names_by_kind().end()) return named->second;
-  Names numbers;
+  if (channel.kind == "odometry") return names_of_odometry();
+  const auto named = hal::node::devices::value_names(channel.kind);
+  Names names;
+  names.reserve(std::max<std::size_t>(named.size(), channel.length));
+  for (const auto& one : named) names.emplace_back(one.name, one.unit);
+  if (!named.empty()) return names;
   for (std::uint32_t i = 0; i < channel.length; ++i) {
-    numbers.emplace_back(std::to_string(i), channel.unit);
+    names.emplace_back(std::to_string(i), channel.unit);
   }
-  return numbers;
+  return names;
 }
 
 std::vector<Observable> observables_of(const agents::AgentConfig& agent,

@@ -14,11 +14,14 @@
 #include <sstream>
 #include <string>
 
-#include "sim/radio/distance_laws.h"
 #include "sim/radio/error_model.h"
-#include "sim/radio/fading.h"
+#include "sim/radio/log_distance.h"
+#include "sim/radio/nakagami.h"
 #include "sim/radio/ofdm_error_model.h"
+#include "sim/radio/rayleigh.h"
+#include "sim/radio/rician.h"
 #include "sim/radio/shadowing.h"
+#include "sim/radio/two_ray_ground.h"
 
 namespace {
 

@@ -107,10 +107,10 @@ class Fields {
   }
   /// A list of texts.
   void texts(const Key& key, std::vector<std::string>& values) { field({key, "", {}, &values}); }
-  /// @tparam Options  a range of Option<E>.
+  /// @tparam Options  a range of Option<E>, or of anything with its members.
   template <class Options, class E>
   void choice(const Key& key, const Options& options, E& value) {
-    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    const auto found = find(options, value);
     BARAKA_CHECK(found != options.end());  // a file must be able to state it
     auto index = static_cast<std::size_t>(found - options.begin());
     field({key, "", {}, Choice{names(options), &index}});
@@ -120,7 +120,7 @@ class Fields {
   /// A required choice.
   template <class Options, class E>
   void needed_choice(const Key& key, const Options& options, E& value) {
-    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    const auto found = find(options, value);
     BARAKA_CHECK(found != options.end());
     auto index = static_cast<std::size_t>(found - options.begin());
     field({key, "", {}, Choice{names(options), &index}, Presence::kNeeded});
@@ -165,7 +165,7 @@ class Fields {
   }
   template <class Options, class E>
   bool given_choice(const Key& key, const Options& options, std::optional<E>& value) {
-    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    const auto found = find(options, value);
     BARAKA_CHECK(!value || found != options.end());
     auto index = found == options.end() ? 0 : static_cast<std::size_t>(found - options.begin());
     const bool is_read =
@@ -315,7 +315,7 @@ class Fields {
   template <class Options, class E>
   void choice(const Key& key, const Options& options, E& value,
               const std::function<void(Fields&)>& body) {
-    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    const auto found = find(options, value);
     BARAKA_CHECK(found != options.end());
     const auto index = static_cast<std::size_t>(found - options.begin());
     kind_field(key, names(options), index, Presence::kOtherwise, [&](Fields& io, std::size_t kind) {
@@ -381,6 +381,10 @@ class Fields {
   };
 
  private:
+  template <class Options, class E>
+  static auto find(const Options& options, const E& value) {
+    return std::ranges::find_if(options, [&](const auto& one) { return one.value == value; });
+  }
   template <class Options>
   static std::vector<std::string> names(const Options& options) {
     std::vector<std::string> result;

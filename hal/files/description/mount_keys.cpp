@@ -1,4 +1,4 @@
-#include "hal/files/description/sensor_keys.h"
+#include "hal/files/description/mount_keys.h"
 
 #include <algorithm>
 #include <array>

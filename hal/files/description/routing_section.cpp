@@ -5,8 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/files/description/anthocnet_keys.h"
-#include "hal/files/description/aodv_keys.h"
 #include "hal/files/description/field_io.h"
 
 namespace hal::files::description {
@@ -230,7 +228,7 @@ void ant_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
 void all_anthocnet_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   jitter_key(io, c);
   retry_keys(io, c);
-  anthocnet_keys(io, c.anthocnet);
+  keys_of(io, c.anthocnet);
   hop_limit_key(io, c);
   buffer_keys(io, c);
   over_udp(io, link, [&](Fields& udp) { ack_keys(udp, c); });
@@ -239,11 +237,21 @@ void all_anthocnet_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& li
 
 void all_aodv_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   jitter_key(io, c);
-  aodv_keys(io, c.aodv);
+  keys_of(io, c.aodv);
   hop_limit_key(io, c);
   buffer_keys(io, c);
   hop_keys(io, c, link);
 }
+
+/// What AntHocNet has in place of the defaults of RoutingConfig: a jitter that is small against the
+/// time a repair is waited for, and the retry of its authors' port.
+void anthocnet_defaults(RoutingConfig& c) {
+  c.jitter_max = std::chrono::milliseconds{10};
+  c.retry_period = std::chrono::seconds{2};
+}
+
+/// Well below NODE_TRAVERSAL_TIME. The RFC names no longest wait of a rebroadcast.
+void aodv_defaults(RoutingConfig& c) { c.jitter_max = std::chrono::milliseconds{10}; }
 
 /// A protocol that files can name.
 struct Protocol {
@@ -255,8 +263,9 @@ struct Protocol {
 const std::array kProtocols{
     Protocol{Algorithm::kAnts, [](RoutingConfig&) {}, ant_keys},
     Protocol{Algorithm::kAntHocNet, anthocnet_defaults, all_anthocnet_keys},
-    Protocol{Algorithm::kAodv, [](RoutingConfig& c) { c.jitter_max = kAodvJitter; }, all_aodv_keys},
-    Protocol{Algorithm::kFlooding, [](RoutingConfig&) {}, common_keys}};
+    Protocol{Algorithm::kAodv, aodv_defaults, all_aodv_keys},
+    Protocol{Algorithm::kFlooding, [](RoutingConfig&) {}, common_keys},
+};
 
 const Protocol* find(Algorithm algorithm) {
   const auto* const found = std::ranges::find(kProtocols, algorithm, &Protocol::algorithm);

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "hal/files/description/sensor_keys.h"
+#include "hal/files/description/mount_keys.h"
 
 namespace hal::files::description {
 namespace {

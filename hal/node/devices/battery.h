@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
 #include "hal/node/devices/mount.h"
+#include "hal/node/devices/value_name.h"
 #include "hal/types/channel.h"
 #include "hal/types/time.h"
 
@@ -19,16 +21,33 @@ struct RadioPower {
   bool operator==(const RadioPower&) const = default;
 };
 
+template <class Fields>
+void keys_of(Fields& io, RadioPower& c) {
+  io.number({"transmit", "While it transmits.", "1.3 W"}, "W", {0, 1e5}, c.transmit);
+  io.number({"receive", "While the medium is busy.", "0.9 W"}, "W", {0, 1e5}, c.receive);
+  io.number({"listen", "While the medium is idle.", "0.7 W"}, "W", {0, 1e5}, c.listen);
+  io.number({"off", "While it is off.", "0 W"}, "W", {0, 1e5}, c.off);
+}
+
 /// What happens to an agent whose battery is empty.
 enum class WhenEmpty : std::uint8_t {
   kStayUp,  ///< Nothing; only the gauge shows it.
   /// Its radio, motors and sensors, except the gauge, are switched off for the rest of the run.
   kOff,
 };
+struct WhenEmptyName {
+  std::string_view name;  ///< In files.
+  WhenEmpty value;
+};
+inline constexpr std::array kWhenEmptyNames{WhenEmptyName{"stay_up", WhenEmpty::kStayUp},
+                                            WhenEmptyName{"off", WhenEmpty::kOff}};
 
 /// A battery with its gauge. It supplies the computer, the radio and the motors.
 struct Battery {
   static constexpr std::string_view kKind = "battery";
+  static constexpr std::array kValues{ValueName{"charge", "1"}, ValueName{"voltage", "V"},
+                                      ValueName{"current", "A"}, ValueName{"energy", "J"},
+                                      ValueName{"capacity", "J"}};
 
   Mount mount{"battery", {}, 0};  ///< Only its name is used.
   double capacity = 0;            ///< J, > 0, when full
@@ -47,6 +66,32 @@ struct Battery {
 
   bool operator==(const Battery&) const = default;
 };
+
+template <class Fields>
+void keys_of(Fields& io, Battery& c) {
+  name_key(io, c.mount);
+  io.needed({"capacity", "Energy in the full battery.", "20 Wh"}, "J", {1e-6, 1e12}, c.capacity);
+  io.number({"charge", "At the start, as a share of the capacity.", "0.8"}, "1", {0, 1}, c.charge);
+  io.needed({"full_voltage", "Of the full battery, without load.", "12.6 V"}, "V", {0.1, 1e4},
+            c.full_voltage);
+  if (io.reading() != nullptr) c.empty_voltage = c.full_voltage;
+  io.number({"empty_voltage",
+             "Of the empty battery, without load; in between the voltage falls with the charge.",
+             "9.6 V", "that of `full_voltage`"},
+            "V", {0.1, 1e4}, c.empty_voltage);
+  io.number({"resistance", "Inside the battery.", "50 mohm"}, "ohm", {0, 1e6}, c.resistance);
+  io.number({"idle_power", "Of the computer and all else that is always on.", "4 W"}, "W", {0, 1e5},
+            c.idle_power);
+  io.choice({"when_empty",
+             "stay_up: only the gauge tells; off: radio, motors and all sensors but the gauge go "
+             "off at that instant, for good.",
+             "off"},
+            kWhenEmptyNames, c.when_empty);
+  if (c.empty_voltage > c.full_voltage)
+    io.mistake("empty_voltage", "must not be above full_voltage");
+  io.inside({"radio", "What the radio draws from the battery."},
+            [&](Fields& radio) { keys_of(radio, c.radio); });
+}
 
 /// A sum of many terms with compensated rounding, exact except for its last bit (A. Neumaier,
 /// "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", ZAMM, 1974).

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "hal/node/devices/mount.h"
+#include "hal/node/devices/value_name.h"
 #include "hal/types/channel.h"
 
 namespace hal::node::devices {
@@ -10,6 +12,9 @@ namespace hal::node::devices {
 /// Three gyroscopes and three accelerometers, along the axes of the mount.
 struct ImuSensor {
   static constexpr std::string_view kKind = "imu";
+  static constexpr std::array kValues{ValueName{"rate_x", "rad/s"},  ValueName{"rate_y", "rad/s"},
+                                      ValueName{"rate_z", "rad/s"},  ValueName{"force_x", "m/s^2"},
+                                      ValueName{"force_y", "m/s^2"}, ValueName{"force_z", "m/s^2"}};
 
   Mount mount{"imu", {}, 0};
   double gyro_sigma = 0;           ///< rad/s, >= 0, standard deviation of each rate
@@ -21,5 +26,14 @@ struct ImuSensor {
 
   bool operator==(const ImuSensor&) const = default;
 };
+
+template <class Fields>
+void keys_of(Fields& io, ImuSensor& c) {
+  keys_of(io, c.mount);
+  io.number({"gyro_sigma", "Standard deviation of each rate of turn.", "0.01 rad/s"}, "rad/s",
+            {0, 100}, c.gyro_sigma);
+  io.number({"accelerometer_sigma", "Standard deviation of each acceleration.", "0.05 m/s^2"},
+            "m/s^2", {0, 1000}, c.accelerometer_sigma);
+}
 
 }  // namespace hal::node::devices

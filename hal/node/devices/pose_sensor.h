@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "hal/node/devices/mount.h"
+#include "hal/node/devices/value_name.h"
 #include "hal/types/channel.h"
 #include "hal/types/time.h"
 
@@ -11,6 +13,8 @@ namespace hal::node::devices {
 /// Pose of the body in the world: a compass with a position fix, by any method.
 struct PoseSensor {
   static constexpr std::string_view kKind = "pose";
+  static constexpr std::array kValues{ValueName{"x", "m"}, ValueName{"y", "m"},
+                                      ValueName{"yaw", "rad"}};
 
   Mount mount{"pose", {}, 0};  ///< Only its name is used.
   double position_sigma = 0;   ///< m, >= 0, standard deviation of x and of y
@@ -22,5 +26,16 @@ struct PoseSensor {
 
   bool operator==(const PoseSensor&) const = default;
 };
+
+template <class Fields>
+void keys_of(Fields& io, PoseSensor& c) {
+  name_key(io, c.mount);
+  io.number({"position_sigma", "Standard deviation of x and of y.", "5 cm"}, "m", {0, 1000},
+            c.position_sigma);
+  io.number({"heading_sigma", "Standard deviation of the heading.", "2 deg"}, "rad", {0, 10},
+            c.heading_sigma);
+  io.duration({"period", "Between two measurements; 0 s: it measures when asked.", "1 s"}, {0, 10},
+              c.period);
+}
 
 }  // namespace hal::node::devices

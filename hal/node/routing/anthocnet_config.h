@@ -17,13 +17,13 @@ namespace hal::node::routing {
 ///
 /// Formulae, numbered for the comments of this protocol (the numbers are not those of the papers):
 ///
-///   (A1) T_mac := alpha T_mac + (1 - alpha) t           [PPSN], 3.1; anthocnet_mac_time
-///   (A2) T_i = (Q + 1) T_mac                            [PPSN], 3.1; anthocnet_mac_time
-///   (A3) tau = ((T + h T_hop) / 2)^-1                   [PPSN], 3.1; anthocnet_node
-///   (A4) T_nd := gamma T_nd + (1 - gamma) tau           [PPSN]; anthocnet_pheromone
-///   (A5) P_nd = T_nd^beta / sum over j of T_jd^beta     [PPSN], 3.2; anthocnet_pheromone
-///   (A6) v' = (1 / v + (T_i + T_hop) / 2)^-1            [ETT], 3.4; anthocnet_diffusion
-///   (A7) h <= a h_best and T <= a T_best                [ETT], 3.2; anthocnet_ants
+///   (A1) T_mac := alpha T_mac + (1 - alpha) t              [PPSN], 3.1; anthocnet_mac_time
+///   (A2) T_i = (Q + 1) T_mac                               [PPSN], 3.1; anthocnet_mac_time
+///   (A3) tau = ((T + h T_hop) / 2)^-1, T the sum of T_i    [PPSN], 3.1; anthocnet_node
+///   (A4) T_nd := gamma T_nd + (1 - gamma) tau              [PPSN]; anthocnet_pheromone
+///   (A5) P_nd = T_nd^beta / sum over j of T_jd^beta        [PPSN], 3.2; anthocnet_pheromone
+///   (A6) v' = (1 / v + (T_i + T_hop) / 2)^-1               [ETT], 3.4; anthocnet_diffusion
+///   (A7) h <= a h_best and T <= a T_best                   [ETT], 3.2; anthocnet_ants
 ///
 /// with t the time of one successful transmission, Q the number of frames that wait, T_i the
 /// expected time of a hop, T (the sum of T_i) and h the time and the hops of a path, T_nd the
@@ -74,6 +74,70 @@ inline bool is_valid(const AntHocNetConfig& c) {
          is_share(c.proactive_broadcast_probability) && c.proactive_broadcasts >= 0 &&
          c.proactive_broadcasts <= 255 && c.session_timeout > Duration::zero() &&
          c.repair_broadcasts >= 0 && c.repair_broadcasts <= 255 && c.repair_wait > 0;
+}
+
+/// Keys of path setup and pheromone.
+template <class Fields>
+void ant_path_keys(Fields& io, AntHocNetConfig& c) {
+  io.number({"beta_reactive",
+             "Exponent of pheromone where a reactive or a repair ant picks its next hop.", "1"},
+            "1", {0, 100}, c.beta_reactive);
+  io.number({"beta_proactive", "Exponent of pheromone where a proactive ant does.", "1"}, "1",
+            {0, 100}, c.beta_proactive);
+  io.number({"beta_data", "Exponent of pheromone where a message does.", "20"}, "1", {0, 100},
+            c.beta_data);
+  io.number({"acceptance_same_first_hop",
+             "A later copy of an ant is taken if its hops and its time are at most this times the "
+             "best so far.",
+             "1.5"},
+            "1", {1e-3, 100}, c.acceptance);
+  io.number(
+      {"acceptance_new_first_hop",
+       "The same for a copy that left its source over a neighbour that none before did.", "1.5"},
+      "1", {1e-3, 100}, c.acceptance_new_first_hop);
+  io.count({"copies", "Copies of one ant that a node broadcasts.", "1"}, 1, 1000, c.copies);
+  io.number({"mac_weight", "Weight of the past in the running average of the MAC's time.", "0.7"},
+            "1", {0, 1}, c.mac_weight);
+  io.number({"pheromone_weight", "Weight of the past in the running average of pheromone.", "0.7"},
+            "1", {0, 1}, c.pheromone_weight);
+  io.duration({"hop_time", "What a hop costs in an idle network.", "3 ms"}, {1e-6, 10}, c.hop_time);
+}
+
+/// Keys of what goes on while a session runs.
+template <class Fields>
+void ant_session_keys(Fields& io, AntHocNetConfig& c) {
+  io.count(
+      {"hello_destinations",
+       "Destinations whose best pheromone a hello tells; 0: pheromone does not diffuse.", "10"},
+      0, 20, c.hello_destinations);
+  io.duration({"proactive_period", "Between two proactive ants of a session; 0 s: none.", "2 s"},
+              {0, 3600}, c.proactive_period);
+  io.number({"proactive_margin",
+             "A proactive ant leaves if virtual pheromone is this times the best regular one; 0: "
+             "always.",
+             "1.1"},
+            "1", {0, 1000}, c.proactive_margin);
+  io.number({"proactive_broadcast_probability",
+             "That a proactive ant is broadcast where it could follow pheromone.", "0.1"},
+            "1", {0, 1}, c.proactive_broadcast_probability);
+  io.count({"proactive_broadcasts", "Broadcasts of one proactive ant.", "2"}, 0, 255,
+           c.proactive_broadcasts);
+  io.duration({"session_timeout", "A session ends after so long without a message.", "10 s"},
+              {1e-3, 3600}, c.session_timeout);
+  io.count({"repair_broadcasts", "Broadcasts of one repair ant; 0: no local repair.", "2"}, 0, 255,
+           c.repair_broadcasts);
+  io.number({"repair_wait",
+             "A repair is waited for this times the delay of the lost path, and jitter_max for "
+             "each broadcast.",
+             "5"},
+            "1", {1e-3, 1e6}, c.repair_wait);
+}
+
+/// Keys of `algorithm: anthocnet` alone.
+template <class Fields>
+void keys_of(Fields& io, AntHocNetConfig& c) {
+  ant_path_keys(io, c);
+  ant_session_keys(io, c);
 }
 
 }  // namespace hal::node::routing

@@ -6,6 +6,10 @@
 #include <functional>
 #include <vector>
 
+#include "sim/radio/nakagami.h"
+#include "sim/radio/rayleigh.h"
+#include "sim/radio/rician.h"
+
 namespace sim::radio::test {
 namespace {
 

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "sim/radio/distance_laws.h"
+#include "sim/radio/log_distance.h"
+#include "sim/radio/two_ray_ground.h"
 #include "tests/support/slope.h"
 
 namespace sim::radio::test {

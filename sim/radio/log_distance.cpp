@@ -1,10 +1,14 @@
-#include "sim/radio/distance_laws.h"
-
-#include <cmath>
+#include "sim/radio/log_distance.h"
 
 #include "hal/types/math.h"
+#include "sim/radio/power_law.h"
 
 namespace sim::radio {
+
+std::unique_ptr<const PathLoss> make(const LogDistanceConfig& config,
+                                     const PropagationConfig& /*air*/, const Ground& /*ground*/) {
+  return std::make_unique<LogDistance>(config);
+}
 
 LogDistance::LogDistance(const LogDistanceConfig& config)
     : at_reference_(hal::math::pow(10, -config.reference_loss.value / 10)),
@@ -21,20 +25,6 @@ hal::Milliwatts LogDistance::after(hal::Milliwatts power, const Path& path) cons
 double LogDistance::reach(hal::Milliwatts power, hal::Milliwatts least) const {
   const double ratio = at_reference_ * power.value / least.value;
   return ratio < 1 ? 0 : reference_ * hal::math::pow(ratio, 1 / exponent_);
-}
-
-/// m, of the antenna above the ground.
-double TwoRayGround::height(const Site& site) const {
-  return site.antenna().z - ground_.height({site.position.x, site.position.y});
-}
-
-hal::Milliwatts TwoRayGround::after(hal::Milliwatts power, const Path& path) const {
-  const double heights = height(path.from) * height(path.to);  // m^2
-  const double crossover = 4 * hal::math::kPi * heights / wavelength_;
-  if (heights <= 0) return {};  // on the ground the two rays extinguish each other
-  if (path.distance_squared <= crossover * crossover) return free_space_.after(power, path);
-  const double d2 = path.distance_squared;
-  return hal::Milliwatts{power.value * (heights * heights) / (d2 * d2)};
 }
 
 }  // namespace sim::radio
