@@ -14,7 +14,7 @@ namespace controllers {
 /// Start of a traffic source's message, if the message is long enough.
 struct TrafficStamp {
   hal::Time sent{};          ///< By the clock of the source.
-  std::uint32_t number = 0;  ///< Of the message among those of the source, from 1.
+  std::uint32_t number = 0;  ///< Number of the message among the source's, from 1.
 };
 inline constexpr std::size_t kStampBytes = 12;
 

@@ -101,8 +101,8 @@ class HelpTrip {
   const double beta_;
 
   State state_ = State::kIdle;
-  hal::AgentId destination_;          ///< Of every state except IDLE.
-  hal::AgentId next_hop_;             ///< Of both GO_TO states.
+  hal::AgentId destination_;          ///< In every state except IDLE.
+  hal::AgentId next_hop_;             ///< In both GO_TO states.
   std::optional<hal::AgentId> left_;  ///< The hop reached last, at which the robot stands.
   int repeats_ = 0;
   hal::Time deadline_{};       ///< End of the states that wait or drive.

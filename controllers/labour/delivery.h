@@ -58,7 +58,7 @@ class Delivery {
   const hal::TimerId timer_;
   Burst burst_;
   hal::AgentId sink_;
-  std::uint32_t number_ = 0;  ///< Of the last burst.
+  std::uint32_t number_ = 0;  ///< Number of the last burst.
   int sent_ = 0;              ///< Number of messages sent in this burst.
   bool is_on_ = false;
   bool succeeded_ = false;

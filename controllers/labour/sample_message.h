@@ -15,7 +15,7 @@ namespace controllers {
 struct SampleMessage {
   /// Number of the burst among the sender's, from 1; later bursts have greater numbers.
   std::uint32_t burst = 0;
-  std::uint16_t index = 0;  ///< Of the message in the burst, from 0.
+  std::uint16_t index = 0;  ///< Number of the message in the burst, from 0.
   /// Number of different messages of the burst that the sink must receive.
   std::uint16_t needed = 1;
   bool operator==(const SampleMessage&) const = default;

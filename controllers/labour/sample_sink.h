@@ -29,8 +29,8 @@ class SampleSink {
   };
 
   hal::RealWorldObject& self_;
-  std::map<std::pair<hal::AgentId, std::string>, Burst>
-      bursts_;                          ///< Latest burst by sender and topic.
+  /// Latest burst by sender and topic.
+  std::map<std::pair<hal::AgentId, std::string>, Burst> bursts_;
   std::map<std::string, int> samples_;  ///< By topic.
 };
 

@@ -45,7 +45,7 @@ class ParameterValue {
   const std::vector<double>& numbers() const;     ///< SI. @pre it is such a list; aborts otherwise.
   const std::vector<std::string>& texts() const;  ///< @pre it is such a list; aborts otherwise.
 
-  /// Of the same kind and equal.
+  /// Same kind and equal value.
   bool operator==(const ParameterValue&) const = default;
 
  private:

@@ -62,8 +62,8 @@ Objection read_inline_qos(Cursor& cursor, const Submessage& submessage, const Gu
     }
     if (one->id == parameter::kStatusInfo) {
       qos.has_status = true;
-      qos.status =
-          Cursor(one->value, Endianness::kBig).u32();  // octets, independent of the endianness
+      // Four octets, independent of the endianness.
+      qos.status = Cursor(one->value, Endianness::kBig).u32();
     }
     const bool is_foreign =
         source != nullptr && one->id == parameter::kKeyHash &&

@@ -26,7 +26,7 @@ struct DiscoveredEndpoint {
   std::uint32_t reliability = 0;
   std::uint32_t durability = 0;  ///< 0 volatile, 1 transient local, 2 transient, 3 persistent.
   Octets partitions;             ///< The encoded sequence of strings; empty: not given.
-  Endianness endianness = Endianness::kBig;  ///< Of `partitions`.
+  Endianness endianness = Endianness::kBig;  ///< Encoding of `partitions`.
 };
 
 /// Reads the payload of a DATA of a SEDP writer of publications or subscriptions, without

@@ -36,8 +36,8 @@ struct Message {
 
 /// The result of a send() as its sender learns it.
 enum class Fate : std::uint8_t {
-  /// The next hop acknowledged the message. A broadcast has been transmitted: nobody acknowledges
-  /// it, and possibly nobody received it.
+  /// The next hop acknowledged the message. A broadcast was transmitted: it is not acknowledged
+  /// and may not have been received at all.
   kHandedOver,
   kNoRoute,    ///< Discovery failed, or it waited too long for a route.
   kQueueFull,  ///< A queue of the sender had no room.

@@ -33,7 +33,7 @@ std::string_view name(PathStatistic statistic);
 /// over the statistics of r_s(path)^weight_s, with
 ///
 ///   r_hops = 1 / hops   r_delay = 1 / delay [s]   r_energy = 1 / energy [J]
-///   r_min_snr = log2(1 + SNR), SNR as a ratio: what the weakest link could carry per hertz
+///   r_min_snr = log2(1 + SNR), SNR as a ratio: capacity of the weakest link per hertz
 ///       (C. E. Shannon, "Communication in the Presence of Noise", 1949)
 ///
 /// so that one statistic with weight 1 is that statistic alone.

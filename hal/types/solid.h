@@ -28,7 +28,7 @@ enum class DrawnAs : std::uint8_t { kWall, kMote, kRobot, kStation };
 
 /// A wall or the body of an agent as viewers draw it.
 struct DrawnBody {
-  std::string name;                                   ///< Of the wall or agent.
+  std::string name;                                   ///< Name of the wall or agent.
   DrawnAs kind = DrawnAs::kWall;                      ///< What it is.
   std::vector<Solid> solids;                          ///< Its shapes, in the frame of the body.
   bool operator==(const DrawnBody&) const = default;  ///< Member by member.

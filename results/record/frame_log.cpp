@@ -23,7 +23,7 @@ bool FrameLog::takes(hal::Time at, const sim::radio::Frame& frame) {
   const std::int64_t second = hal::to_ns(at) / 1'000'000'000;
   if (std::exchange(second_, second) != second) {
     rows_ = 0;
-    left_out_.clear();
+    left_out_before_ = std::exchange(left_out_, {});
   }
   if (rows_ < kRowsOfSecond) return true;
   left_out_.insert(frame.id);
@@ -53,7 +53,7 @@ void FrameLog::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
 void FrameLog::on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
                             hal::Verdict verdict, double rssi_dbm) {
   const double sinr_db = std::exchange(sinr_db_, std::numeric_limits<double>::quiet_NaN());
-  if (left_out_.contains(frame.id)) return;
+  if (left_out_.contains(frame.id) || left_out_before_.contains(frame.id)) return;
   std::optional<double> sinr;
   if (!std::isnan(sinr_db)) sinr = sinr_db;
   insert_end_.run(frame.id, receiver.value, hal::to_ns(at), hal::name(verdict), rssi_dbm, sinr);

@@ -45,9 +45,9 @@ class FrameLog final : public TopicWriter {
   Commits& commits_;
   std::int64_t second_ = -1;
   std::uint64_t rows_ = 0;  ///< In that second.
-  /// Frames of that second that are not listed; their ends are not listed either. Emptied when a
-  /// frame begins in a later second.
-  std::set<std::uint64_t> left_out_;
+  /// Frames of that second, and of the one in which frames began before it, that are not listed;
+  /// their ends are not listed either, and may lie in the next second.
+  std::set<std::uint64_t> left_out_, left_out_before_;
   double sinr_db_ = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -11,7 +11,7 @@ namespace hal::files::config {
 struct Condition {
   std::string path;  ///< Path of the other key.
   bool presence = false;
-  std::vector<std::string> values;  ///< Of a choice; "there" or "absent" for a presence.
+  std::vector<std::string> values;  ///< Names of a choice; "there" or "absent" for a presence.
 };
 
 /// One key of a kind of file.

@@ -48,9 +48,9 @@ class IncludeGraph {
 /// A file that another one, or the command line, includes.
 struct Included {
   std::string file;
-  /// Of the mapping into which it is included, "agents.robots.robot"; "": the top level.
+  /// Path of the mapping into which it is included, "agents.robots.robot"; "": the top level.
   std::string path;
-  std::string place;  ///< Of the value of `include`: "file:line:column", or "--set a.b".
+  std::string place;  ///< Place of the value of `include`: "file:line:column", or "--set a.b".
 };
 
 /// Reads files and replaces `include` keys by the contents of the files.
@@ -81,7 +81,7 @@ class Loader {
   void give_up(const Node& target, const std::string& path, std::string why);
   std::filesystem::path located(const Node& target) const;
 
-  std::filesystem::path folder_;  ///< Of the first file.
+  std::filesystem::path folder_;  ///< Folder of the first file.
   Problems& problems_;
   IncludeGraph graph_;
   std::vector<Included> included_;

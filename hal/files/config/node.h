@@ -17,7 +17,7 @@ enum class Layer : std::uint8_t {
 
 /// Position of a value.
 struct Place {
-  int order = 0;     ///< Of its file in the order of reading; the command line is first.
+  int order = 0;     ///< Index of its file in the order of reading; the command line is first.
   std::string file;  ///< As the user would name it; "--set a.b" for the command line.
   int line = 0;      ///< 1, 2, …; 0: the command line, which has no lines.
   int column = 0;
@@ -47,7 +47,7 @@ struct Node {
 
 struct Entry {
   std::string key;
-  Place place;  ///< Of the key.
+  Place place;  ///< Place of the key.
   Node value;
 };
 

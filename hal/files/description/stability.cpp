@@ -72,8 +72,8 @@ Vec3 centre_of(const std::vector<SolidPart>& parts) {
 /// Squared radius of gyration about a horizontal axis through the centre of mass, m^2.
 /// @param across  unit vector perpendicular to the axis.
 double gyration(const std::vector<SolidPart>& parts, const Vec3& centre, Vec2 across) {
-  Eigen::Matrix3d sum =
-      Eigen::Matrix3d::Zero();  // about the centre of mass (parallel-axis theorem)
+  // About the centre of mass, by the parallel-axis theorem.
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const SolidPart& p : parts) {
     const Eigen::Vector3d to = in_eigen(p.centre - centre);
     sum += p.mass * (p.spread + to * to.transpose());

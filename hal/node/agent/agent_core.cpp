@@ -181,9 +181,8 @@ Result<void> AgentCore::take_effect(const Action& action, Time as_of) {
 }
 
 Drive& AgentCore::wheels() {
-  BARAKA_CHECK(
-      ports_.drive !=
-      nullptr);  // otherwise the session's limits would let validate() accept wheel commands
+  // Without wheels the limits of the session make validate() refuse wheel commands.
+  BARAKA_CHECK(ports_.drive != nullptr);
   return *ports_.drive;
 }
 

@@ -19,7 +19,7 @@ inline constexpr std::uint16_t kOdometry = 1;  ///< Only robots.
 inline constexpr std::uint16_t kInfrared = 2;  ///< Only robots with infrared sensors.
 /// As measured by the converter; only robots with infrared sensors.
 inline constexpr std::uint16_t kInfraredVolts = 3;
-/// Of the first channel of `sensors:`; the others follow in the file's order. Robots and motes.
+/// First channel of `sensors:`; the others follow in the file's order. Robots and motes.
 inline constexpr std::uint16_t kFirstSensor = 0x10;
 
 Channel localisation_channel();

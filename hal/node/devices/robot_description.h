@@ -65,10 +65,9 @@ enum class WheelLevel : std::uint8_t {
 
 struct RobotDescription {
   std::string model;
-  /// At least one cylinder or box.
-  std::vector<BodyCylinder> cylinders;
+  std::vector<BodyCylinder> cylinders;  ///< At least one cylinder or box.
   std::vector<BodyBox> boxes;
-  double friction = 0.3;      ///< Of the body against walls, motes, robots; >= 0.
+  double friction = 0.3;      ///< Coefficient against walls, motes, robots; >= 0.
   std::vector<Wheel> wheels;  ///< >= 3, casters included; see WheelDrive.
   WheelLevel wheel_level = WheelLevel::kJointed;
   AccelerationLimits acceleration;
@@ -83,7 +82,7 @@ struct MoteDescription {
   std::string model;
   Vec3 size{0.05, 0.05, 0.05};               ///< m, each > 0
   double mass = 0.05;                        ///< kg, > 0
-  double friction = 0.6;                     ///< Against everything; >= 0.
+  double friction = 0.6;                     ///< Coefficient against everything; >= 0.
   std::vector<SensorDescription> sensors{};  ///< Names differ.
   bool operator==(const MoteDescription&) const = default;
 };

@@ -15,8 +15,7 @@ struct ScanSensor {
   static constexpr bool kIsQuiet = true;  ///< For most of the time readings are equal.
 
   Mount mount{"scan", {}, 0};
-  /// rad, > 0, at most a full turn; its centre is the mount's heading.
-  double field = 0;
+  double field = 0;        ///< rad, > 0, at most a full turn; its centre is the mount's heading.
   int rays = 0;            ///< >= 1
   double min_range = 0;    ///< m, >= 0; nearer surfaces read -infinity.
   double max_range = 0;    ///< m, > min_range; farther surfaces read NaN.

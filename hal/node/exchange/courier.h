@@ -31,7 +31,7 @@ class Courier {
 
   struct Answer {
     Action action;
-    Time event_time{};  ///< Of the event that the action answers.
+    Time event_time{};  ///< Time of the event that the action answers.
   };
   /// The results of one call of attend(), repeat() or finish().
   struct Turn {
@@ -97,8 +97,7 @@ class Courier {
   std::size_t capacity_;
   using Waiting = std::list<Event>;
   Waiting waiting_;
-  std::map<AgentId, std::vector<Waiting::iterator>>
-      places_;                        ///< Of each agent's events in waiting_.
+  std::map<AgentId, std::vector<Waiting::iterator>> places_;  ///< Events in waiting_.
   std::map<AgentId, Event> carried_;  ///< Changes to add to the next event of their agent.
   Step step_;                         ///< Under way, or the last one.
   bool under_way_ = false;

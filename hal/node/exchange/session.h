@@ -28,7 +28,8 @@ struct ParameterText {
 
 /// Limits of the motors. Wheel speeds [rad/s] = rows of `body_to_wheel` times (vx, vy, omega).
 struct DriveLimits {
-  std::vector<std::array<double, 3>> body_to_wheel;  ///< Of the driven wheels. Empty: no wheels.
+  /// One row per driven wheel. Empty: no wheels.
+  std::vector<std::array<double, 3>> body_to_wheel;
   /// (vx, vy, omega) = sum over the wheels of speed times row: the feasible motion that fits the
   /// speeds best. Empty: every motion is feasible.
   std::vector<std::array<double, 3>> wheel_to_body;
@@ -67,8 +68,7 @@ struct Hello {
   std::string program;   ///< Kind of controller it runs.
   std::string host;
   std::int64_t pid = 0;
-  /// Field 22 of /proc/<pid>/stat: distinguishes reused pids.
-  std::uint64_t pid_start_time = 0;
+  std::uint64_t pid_start_time = 0;   ///< Field 22 of /proc/<pid>/stat: distinguishes reused pids.
   std::vector<std::string> patterns;  ///< Names it requests; `*` and `?` match as in a shell.
   AgentKind kind = AgentKind::kMote;  ///< Kind of agent that it can drive.
   bool both_kinds = false;            ///< It can drive motes and robots.

@@ -55,8 +55,7 @@ struct AntHocNetConfig {
   int proactive_broadcasts = 2;  ///< >= 0: of one proactive ant in total [PPSN].
   /// > 0: a session ends when its source has sent no message for this time.
   Duration session_timeout = std::chrono::seconds{10};
-  /// >= 0: of one repair ant in total [PPSN]; 0: no repair.
-  int repair_broadcasts = 2;
+  int repair_broadcasts = 2;  ///< >= 0: of one repair ant in total [PPSN]; 0: no repair.
   /// > 0: a repair is given up after this factor times the delay of the lost path [PPSN], plus
   /// jitter_max for each broadcast.
   double repair_wait = 5;

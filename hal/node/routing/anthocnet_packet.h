@@ -25,8 +25,8 @@ struct ForwardAnt {
   AntKind kind = AntKind::kReactive;
   std::uint8_t broadcasts = 0;  ///< Number of broadcasts so far, including this one.
   PathStatistics way;           ///< From the transmitter back to the source.
-  std::vector<AgentId>
-      path;  ///< The source and every relay so far; the last one is the transmitter.
+  /// The source and every relay so far; the last one is the transmitter.
+  std::vector<AgentId> path;
   bool operator==(const ForwardAnt&) const = default;
 };
 
@@ -37,7 +37,7 @@ struct BackwardAnt {
   AntKind kind = AntKind::kReactive;
   std::uint8_t position = 0;  ///< Index in `path` of the receiver of this frame.
   PathStatistics way;         ///< From the transmitter to header.source.
-  std::vector<AgentId> path;  ///< Of the forward ant: path[0] is header.destination.
+  std::vector<AgentId> path;  ///< The forward ant's path: path[0] is header.destination.
   bool operator==(const BackwardAnt&) const = default;
 };
 
@@ -69,9 +69,9 @@ struct PheromoneHello {
 /// A target that the transmitter can no longer reach, or only on a longer path.
 struct LostPath {
   Target target;
-  std::uint8_t hops = 0;  ///< Of the best remaining path; 0: none.
-  AgentId next_hop{};     ///< On that path; undefined without one.
-  Duration delay{};       ///< Of that path; undefined without one.
+  std::uint8_t hops = 0;  ///< Length of the best remaining path; 0: none.
+  AgentId next_hop{};     ///< First node of that path; undefined without one.
+  Duration delay{};       ///< Delay of that path; undefined without one.
   bool operator==(const LostPath&) const = default;
 };
 

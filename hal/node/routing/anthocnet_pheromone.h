@@ -18,7 +18,7 @@ struct Trail {
   double regular = 0;  ///< 1/s, laid by ants; 0: none, and messages do not use this trail.
   /// 1/s, virtual: derived from hellos; 0: none. For proactive ants only.
   double bootstrapped = 0;
-  PathStatistics path;  ///< Of the last ant; undefined without regular pheromone.
+  PathStatistics path;  ///< As the last ant found it; undefined without regular pheromone.
 };
 
 /// Weight of a trail in a choice, >= 0; 0: never chosen.
@@ -77,8 +77,8 @@ class PheromoneTable {
   void report_removed(const Target& target, AgentId next_hop) const;
 
   RoutingObserver& observer_;
-  std::map<std::string, std::map<AgentId, Trails>, std::less<>>
-      classes_;  ///< No map in it is empty.
+  /// No map in it is empty.
+  std::map<std::string, std::map<AgentId, Trails>, std::less<>> classes_;
 };
 
 double regular_weight(const Trail& trail);

@@ -23,7 +23,7 @@ class Sessions {
 
   AntNode ants_;
   Ants& traffic_;
-  std::map<Target, Time> last_message_;  ///< Of running sessions.
+  std::map<Target, Time> last_message_;  ///< Only for running sessions.
 };
 
 }  // namespace hal::node::routing::anthocnet

@@ -25,8 +25,8 @@ bool Ants::on_forward_ant(ForwardAnt ant, const Arrival& arrival) {
   return true;
 }
 
-/// Accepts the first copy of an ant, and a later one if h <= a h_best and T <= a T_best with a =
-/// `acceptance` (routing_config.h), so that several routes are found but no bad ones.
+/// Accepts the first copy of an ant, and a later one if h <= a h_best and T <= a T_best, with
+/// a = `acceptance` (routing_config.h): so several routes are found, but no bad ones.
 Ants::Visit* Ants::accept(const ForwardAnt& ant) {
   const int hops = static_cast<int>(ant.path.size());
   // Clocks that disagree must not reverse the comparison of times.

@@ -43,7 +43,7 @@ class AodvHellos {
   Outbox& outbox_;
   std::function<void(AgentId)> on_silence_;
   std::optional<Time> last_broadcast_;
-  std::map<AgentId, Time> last_heard_;  ///< Of neighbours that sent a hello.
+  std::map<AgentId, Time> last_heard_;  ///< Only neighbours that sent a hello.
 };
 
 }  // namespace hal::node::routing

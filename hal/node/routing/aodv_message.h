@@ -41,7 +41,7 @@ struct Rrep {
   std::uint8_t hops = 0;  ///< From the transmitter to the destination.
   AgentId destination;
   AodvSequence destination_sequence = 0;
-  AgentId originator{};  ///< Of the request.
+  AgentId originator{};  ///< Originator of the request.
   Duration lifetime{};   ///< >= 0; transmitted in ms, rounded down.
   bool operator==(const Rrep&) const = default;
 };

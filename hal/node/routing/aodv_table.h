@@ -23,10 +23,9 @@ struct AodvEntry {
   /// The route may be used for messages; false: it only records that the neighbour was heard.
   bool is_in_use = false;
   bool is_in_repair = false;  ///< Not valid, but being repaired (section 6.12).
-  /// Of a valid route; otherwise the time when the entry is deleted.
+  /// Expiry of a valid route; otherwise the time when the entry is deleted.
   Time expires{};
-  /// Neighbours that send to the destination through this node.
-  std::set<AgentId> precursors{};
+  std::set<AgentId> precursors{};  ///< Neighbours that send to the destination through this node.
 };
 
 /// A route to a destination that a message offers.

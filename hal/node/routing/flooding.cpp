@@ -7,8 +7,8 @@
 namespace hal::node::routing {
 
 void Flooding::send(const Message& message) {
-  outbox_.send_message(kEveryone,
-                       to_transit(node_, message));  // the link broadcasts to kEveryone in any case
+  // At the link a flood is always a broadcast to kEveryone.
+  outbox_.send_message(kEveryone, to_transit(node_, message));
 }
 
 void Flooding::on_data(Data data) {

@@ -35,8 +35,7 @@ class Neighbourhood {
  private:
   Timers& timers_;
   RoutingObserver& observer_;
-  /// By address. About twenty entries, looked up for every frame.
-  std::vector<Neighbour> known_;
+  std::vector<Neighbour> known_;  ///< By address. About twenty entries, looked up for every frame.
 };
 
 }  // namespace hal::node::routing

@@ -30,10 +30,9 @@ struct Header {
 /// Searches for a route: flooded from `source`, answered by `destination`.
 struct ForwardAnt {
   Header header;
-  Time started{};  ///< When `source` sent it, by the clock of `source`.
-  /// `source` and every relay so far; the last one is the transmitter.
-  std::vector<AgentId> path;
-  PathStatistics way;  ///< From the transmitter back to `source`.
+  Time started{};             ///< When `source` sent it, by the clock of `source`.
+  std::vector<AgentId> path;  ///< `source` and every relay so far; the last one is the transmitter.
+  PathStatistics way;         ///< From the transmitter back to `source`.
   bool operator==(const ForwardAnt&) const = default;
 };
 
@@ -41,7 +40,7 @@ struct ForwardAnt {
 /// `destination`, the node that started the search.
 struct BackwardAnt {
   Header header;
-  std::vector<AgentId> path;  ///< Of the forward ant: path[0] is `destination`.
+  std::vector<AgentId> path;  ///< The forward ant's path: path[0] is `destination`.
   std::uint8_t position = 0;  ///< Index in `path` of the receiver of this frame.
   PathStatistics way;         ///< From the transmitter to `source`.
   bool operator==(const BackwardAnt&) const = default;

@@ -9,8 +9,7 @@ namespace hal::node::routing {
 /// Events of routing protocols that are counted. Add new ones before kCount, with a name in
 /// protocol_event.cpp.
 enum class ProtocolEvent : std::uint8_t {
-  /// A neighbour did not acknowledge, or was silent for too long.
-  kNeighbourLost,
+  kNeighbourLost,  ///< A neighbour did not acknowledge, or was silent for too long.
   kHelloSent,
   // Ants.
   kForwardAntSent,      ///< For a search, each try.

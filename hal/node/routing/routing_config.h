@@ -40,20 +40,17 @@ struct RoutingConfig {
   /// first ants collided would always repeat them simultaneously (RFC 5148, 5.1). Earlier, not
   /// later, so that waiting messages still benefit from it.
   double retry_jitter = 0.25;
-  /// Discoveries in total before the route is given up, >= 1.
-  int retries = 3;
+  int retries = 3;  ///< Discoveries in total before the route is given up, >= 1.
   /// a >= 1 of the acceptance rule h <= a h_best and T <= a T_best, by which later copies of an ant
   /// are accepted, h its hops and T its travel time (G. Di Caro, F. Ducatelle, L. Gambardella,
   /// "AntHocNet: an ant-based hybrid routing algorithm for mobile ad hoc networks", PPSN VIII,
   /// 2004, 3.1).
   double acceptance = 1.5;
   bool accept_anywhere = false;  ///< Accept at every node; false: only at the destination.
-  /// Maximum number of hops of ants, floods and data, 1..255.
-  int hop_limit = 30;
+  int hop_limit = 30;            ///< Maximum number of hops of ants, floods and data, 1..255.
   /// Maximum number of messages that wait for one route or next hop.
   std::uint32_t buffer_limit = 64;
-  /// Longest time for which a message waits for a route; > 0.
-  Duration buffer_age = 10s;
+  Duration buffer_age = 10s;  ///< Longest time for which a message waits for a route; > 0.
 
   AodvConfig aodv{};
   AntHocNetConfig anthocnet{};
@@ -61,10 +58,9 @@ struct RoutingConfig {
   // Used only over a link without transmit status (hop_acknowledgement.h, hello.h).
   /// Time until a frame is repeated, doubled each time; > 0.
   Duration ack_timeout = 50ms;
-  int ack_attempts = 4;        ///< Transmissions before a hop counts as failed, 1..16.
-  Duration hello_period = 1s;  ///< Time between two hellos; 1 ms..1 h.
-  /// Successive hellos of a neighbour that may be lost, >= 1.
-  std::uint32_t hello_limit = 2;
+  int ack_attempts = 4;           ///< Transmissions before a hop counts as failed, 1..16.
+  Duration hello_period = 1s;     ///< Time between two hellos; 1 ms..1 h.
+  std::uint32_t hello_limit = 2;  ///< Successive hellos of a neighbour that may be lost, >= 1.
 
   /// Numbers of this node's packets start after this one. Other nodes remember numbers for a
   /// minute, so a node that may restart draws a new value each time, below 2^31; otherwise its

@@ -108,7 +108,7 @@ class HardwareAgent final : public node::exchange::AgentHost, private node::agen
   SensorWatch sensor_watch_;
   node::agent::AgentCore core_;
   std::optional<node::exchange::Courier> courier_;   ///< nullopt without a controller.
-  std::vector<platform::EventLoop::Watch> watches_;  ///< Of the courier's descriptors.
+  std::vector<platform::EventLoop::Watch> watches_;  ///< On the courier's descriptors.
   platform::EventLoop::Handle cycle_ = 0, attending_ = 0;
   bool stopping_ = false;
   Time answered_at_{};  ///< Arrival of the answers that take effect now.

@@ -81,8 +81,7 @@ struct RobotFile {
   std::optional<node::devices::RobotDescription> robot;
   drivers::SpeedLimits limits;
   OnLostSensor on_lost_sensor = OnLostSensor::kStop;
-  /// Null: no driver.
-  std::shared_ptr<const drivers::DriverChoice<drivers::WheelDriver>> wheels;
+  std::shared_ptr<const drivers::DriverChoice<drivers::WheelDriver>> wheels;  ///< Null: no driver.
   /// Null: no driver.
   std::shared_ptr<const drivers::DriverChoice<drivers::InfraredDriver>> infrared;
 

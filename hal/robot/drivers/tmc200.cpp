@@ -56,7 +56,7 @@ class Tmc200 final : public WheelDevice {
   Tmc200Protocol protocol_;
   node::devices::WheelDrive wheels_;
   node::devices::WheelOdometry odometry_;
-  std::vector<double> angles_;  ///< Of the wheels, rad.
+  std::vector<double> angles_;  ///< Wheel angles, rad.
   platform::SerialLine line_;
   int unanswered_ = 0;             ///< Number of unanswered SVs.
   platform::BootTime sent_{};      ///< Time of the last SV.

@@ -10,7 +10,7 @@ namespace hal::robot::radio {
 /// The address from which a node sends, and that with which it reaches all its neighbours.
 struct UdpAddresses {
   in_addr own{};
-  in_addr broadcast{};  ///< Of the same network.
+  in_addr broadcast{};  ///< Broadcast address of the same network.
   /// Index of the interface; it changes when the interface is removed and added again.
   unsigned interface = 0;
 };

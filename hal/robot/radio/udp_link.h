@@ -21,7 +21,7 @@ namespace hal::robot::radio {
 struct UdpLinkConfig {
   AgentId self;
   std::string interface;  ///< E.g. "wlan0".
-  std::string address;    ///< Of that interface; empty: its first one.
+  std::string address;    ///< Address of the interface; empty: its first one.
   /// The same on every node of the network; 0: any free port, known to no other node.
   std::uint16_t port = 0;
   double bit_rate = 1e6;  ///< bit/s, > 0; nominal, for the delay statistics of routes.
@@ -79,9 +79,8 @@ class UdpLink final : public node::agent::Link {
 
   const LinkCounts& counts() const { return counts_; }
   std::string own_address() const;  ///< "10.0.0.1:7300"
-  const std::string& trouble() const {
-    return trouble_;
-  }  ///< Why there is no network; empty if there is.
+  /// Why there is no network; empty if there is.
+  const std::string& trouble() const { return trouble_; }
   std::uint16_t port() const { return config_.port; }
 
  private:

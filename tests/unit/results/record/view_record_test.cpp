@@ -1,4 +1,5 @@
 // What a view needs of a run: frames one by one, routes, readings, queues, contacts.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -87,6 +88,20 @@ TEST_F(ViewRecordTest, ASampleIsTheBeginOfEachSecondWholeFrameByFrame) {
   EXPECT_EQ(asked("SELECT MAX(at_ns) FROM frames WHERE at_ns < 1000000000"), "249900000");
   EXPECT_EQ(asked("SELECT COUNT(*) FROM frame_ends"), "5000");
   EXPECT_EQ(asked("SELECT SUM(count) FROM frames_sent"), "6000");
+}
+
+// It is still in the air when another frame begins in the next second.
+TEST_F(ViewRecordTest, TheEndsOfAFrameThatIsLeftOutAreLeftOutInTheNextSecondToo) {
+  Recorder& one = record({.frames = sim::scenario::Detail::kSample});
+  std::uint64_t id = 0;
+  for (std::uint64_t i = 0; i < FrameLog::kRowsOfSecond; ++i) one.on_frame_start({}, frame(++id));
+  const sim::radio::Frame left_out = frame(++id), next = frame(++id);
+  one.on_frame_start(Time{999'900us}, left_out);
+  one.on_frame_start(Time{1s}, next);
+  one.on_reception(Time{1s + 100us}, left_out, AgentId{2}, Verdict::kDelivered, -60);
+  one.on_reception(Time{1s + 200us}, next, AgentId{2}, Verdict::kDelivered, -60);
+  EXPECT_EQ(asked("SELECT COUNT(*) FROM frames"), "5001");
+  EXPECT_EQ(asked("SELECT group_concat(frame) FROM frame_ends"), fmt::format("{}", next.id));
 }
 
 // Equation 1 of the paper by hand: r = 1/hops with weight 1, beta 2; H where the next hop is the
