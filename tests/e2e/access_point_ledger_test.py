@@ -11,6 +11,7 @@ import unittest
 
 from baraka import Case, Program
 from private_network import has_networks
+from wire import PYTHON
 
 SKIPPED = 77
 TSHARK = shutil.which("tshark")
@@ -103,9 +104,9 @@ class AccessPointLedger(Case):
         count = 6 * rate
         for name, text in ("sender.py", SENDER), ("receiver.py", RECEIVER):
             (self.folder / name).write_text(text)
-        sender = "python3", self.folder / "sender.py", count, rate
+        sender = PYTHON, self.folder / "sender.py", count, rate
         self.play(radio, speed, {"first": program("talk", *sender, 5001, start=2), "second": program("talk", *sender, 5002, start=2),
-                                 "receiver": program("hear", "python3", self.folder / "receiver.py", 10, start=1)}, 12)
+                                 "receiver": program("hear", PYTHON, self.folder / "receiver.py", 10, start=1)}, 12)
         sent = sum(self.printed(f"{name}.talk.log", "sent") for name in ("first", "second"))
         self.assertEqual(sent, 2 * count)
         return sent, self.printed("receiver.hear.log", "received")

@@ -522,7 +522,7 @@ infrared:
         if not network.has_namespaces:
             self.skipTest("no right to make network namespaces")
         here, = network.places
-        inside(here.space, "addr", "del", "10.77.0.1/24", "dev", "eth0")
+        inside(here.space, "addr del 10.77.0.1/24 dev eth0")
         here.address = None
         daemon = self.start_serving(here, "m0", 1, "localisation: {driver: none}\n")
         self.check_waits(daemon, "radio")
@@ -542,10 +542,10 @@ class Radio(RealAgents):
         daemon = self.mote(here, "m0", 1, 0, 0)
         listener = Process(self, there, sys.executable, "-uc", LISTENER)
         listener.await_text("from 10.77.0.1\n")
-        inside(here.space, "addr", "del", "10.77.0.1/24", "dev", "eth0")
+        inside(here.space, "addr del 10.77.0.1/24 dev eth0")
         here.add_address("10.78.0.1")
         listener.await_text("from 10.78.0.1\n")
-        inside(here.space, "link", "del", "eth0")
+        inside(here.space, "link del eth0")
         daemon.await_text("no network interface 'eth0'", "err")
         network.plug_in(0, "10.78.0.3")
         listener.await_text("from 10.78.0.3\n")

@@ -18,6 +18,7 @@ import unittest
 
 from air_programs_test import SKIPPED, SLOW_RADIO, Air, program, refused_here, station
 from baraka import ROOT
+from wire import PYTHON
 
 STATIONS = 10
 SECONDS = int(os.environ.get("BARAKA_CONTENTION", "20"))
@@ -71,9 +72,9 @@ class Contention(Air):
     def programs(self):
         places = [(5 * math.cos(2 * math.pi * i / STATIONS), 5 * math.sin(2 * math.pi * i / STATIONS))
                   for i in range(STATIONS)]
-        stations = [station("sink", 0, program("receiver", "python3", "-c", RECEIVE, start="0 s"))]
+        stations = [station("sink", 0, program("receiver", PYTHON, "-c", RECEIVE, start="0 s"))]
         for i, (x, y) in enumerate(places):
-            stations.append(station(f"s{i}", round(x, 6), program("sender", "python3", "-c", SEND, start="1 s"))
+            stations.append(station(f"s{i}", round(x, 6), program("sender", PYTHON, "-c", SEND, start="1 s"))
                             .replace("y: 0 m", f"y: {round(y, 6)} m"))
         finished = self.run_baraka(self.scenario(*stations, end=f"{SECONDS + WARM_UP} s", more="record: {frames: all}\n",
                                                  radio=SLOW_RADIO.replace("queue_limit: 20", "queue_limit: 50")),

@@ -176,7 +176,7 @@ class Repetition(Air):
                   "for i in range(200):\n"
                   "    s.sendto(bytes(600), ('b', 5000)); time.sleep(0.005)\n")
         scenario = self.scenario(
-            station("a", 0, program("talker", "python3", "-c", talker, on_exit="end")),
+            station("a", 0, program("talker", wire.PYTHON, "-c", talker, on_exit="end")),
             station("b", 30, program("ping", "ping", "-c", "20", "-i", "0.05", "a")), **more)
         return scenario, self.run_baraka(scenario, *arguments)
 
@@ -329,7 +329,7 @@ for i in range(200):  # their ports are closed, their answers as long as such ma
         os.sched_setaffinity(0, {min(processors)})
         self.addCleanup(os.sched_setaffinity, 0, processors)
         finished = self.run_baraka(self.scenario(
-            station("a", 0, ", ".join([program("strangers", "python3", "-c", self.STRANGERS),
+            station("a", 0, ", ".join([program("strangers", wire.PYTHON, "-c", self.STRANGERS),
                                        program("ping", "ping", "-c", "100", "-i", "0.05", "-W", "1", "b", start="2 s", on_exit="end")])),
             station("b", 5), *others, radio=FAST_RADIO))
         self.assertEqual(finished["result"], "ping", str(finished))

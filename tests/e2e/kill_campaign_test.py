@@ -163,6 +163,7 @@ class Kills(unittest.TestCase):
         end = time.monotonic() + instant
         while time.monotonic() < end:
             doomed.mark.look()
+            time.sleep(0.02)  # the runs need the processor
         doomed.mark.look()
         killed = Victims(doomed.mark, doomed.process.pid).kill(chosen)
         self.killed.add(killed)

@@ -22,12 +22,17 @@ RADIO_PORT = 7300
 class Network:
     """Places for `count` hosts that hear each other."""
 
+    may_make_namespaces = None  # not asked yet
+
     def __init__(self, case, count):
         self.name = f"bk{os.getpid()}x{random.randrange(1000)}"
-        self.has_namespaces = self._may_make_namespaces()
+        self.count = count
+        if Network.may_make_namespaces is None:
+            Network.may_make_namespaces = self._may_make_namespaces()
+        self.has_namespaces = Network.may_make_namespaces
         if self.has_namespaces:
             self.places = [Place(self._space(i), "eth0", f"10.77.0.{i + 1}") for i in range(count)]
-            self._make_namespaces(case, count)
+            self._make_namespaces(case)
         else:
             net = random.randrange(1, 255)
             self.places = [Place(None, "lo", f"127.77.{net}.{i + 1}") for i in range(count)]
@@ -36,7 +41,8 @@ class Network:
         return f"{self.name}-{i}"
 
     def _bridge(self):
-        return f"{self.name}-bridge"
+        """Where the other ends of the interfaces are; that of a lone host is beside its own."""
+        return f"{self.name}-bridge" if self.count > 1 else self._space(0)
 
     def _may_make_namespaces(self):
         if os.environ.get("BARAKA_NO_NAMESPACES"):
@@ -46,23 +52,21 @@ class Network:
             return False
         return ip("netns", "del", probe, check=False) == 0
 
-    def _make_namespaces(self, case, count):
-        for space in [self._bridge(), *map(self._space, range(count))]:
+    def _make_namespaces(self, case):
+        for space in sorted({self._bridge(), *map(self._space, range(self.count))}):
             case.addCleanup(ip, "netns", "del", space, check=False)
             ip("netns", "add", space)
-        inside(self._bridge(), "link", "add", "br0", "type", "bridge")
-        inside(self._bridge(), "link", "set", "br0", "up")
-        for i in range(count):
-            inside(self._space(i), "link", "set", "lo", "up")
+        if self.count > 1:
+            inside(self._bridge(), "link add br0 type bridge", "link set br0 up")
+        for i in range(self.count):
             self.plug_in(i, f"10.77.0.{i + 1}")
 
     def plug_in(self, i, address):
         """A new eth0 at place i, on the bridge."""
-        inside(self._bridge(), "link", "add", f"port{i}", "type", "veth", "peer", "name", "eth0",
-               "netns", self._space(i))
-        inside(self._bridge(), "link", "set", f"port{i}", "master", "br0", "up")
-        self.places[i].add_address(address)
-        inside(self._space(i), "link", "set", "eth0", "up")
+        space = self._space(i)
+        inside(self._bridge(), f"link add port{i} type veth peer name eth0 netns {space}",
+               f"link set port{i} {'master br0 ' if self.count > 1 else ''}up")
+        inside(space, "link set lo up", f"addr add {address}/24 brd + dev eth0", "link set eth0 up")
 
 
 def ip(*arguments, check=True):
@@ -75,8 +79,11 @@ def ip(*arguments, check=True):
     return status
 
 
-def inside(space, *arguments):
-    ip("-n", space, *arguments)
+def inside(space, *lines):
+    """Commands of `ip` in a namespace, by one process."""
+    run = subprocess.run(["ip", "-n", space, "-batch", "-"], input="\n".join(lines), text=True)
+    if run.returncode != 0:
+        raise AssertionError(f"ip -n {space}: {lines}: status {run.returncode}")
 
 
 class Place:
@@ -86,7 +93,7 @@ class Place:
         self.space, self.interface, self.address = space, interface, address
 
     def add_address(self, address):
-        inside(self.space, "addr", "add", f"{address}/24", "brd", "+", "dev", self.interface)
+        inside(self.space, f"addr add {address}/24 brd + dev {self.interface}")
 
     def command(self, *arguments):
         prefix = ["ip", "netns", "exec", self.space] if self.space else []

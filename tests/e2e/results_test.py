@@ -223,11 +223,14 @@ class Killed(Folders):
         return seeds
 
     def kill_everywhere(self, *arguments):
-        """Kills runs of seed 2 before each change that they make, until one comes to its end."""
+        """Kills runs of seed 2 before each change that they make, until one comes to its end. There is a result of seed 1."""
+        out, earlier = self.out, self.folder / "earlier"
+        self.run_to("--seed", "1", out=earlier)
+        self.out = out
         for number in [*range(1, 25), *range(25, 400, 4)]:
             for path in self.folder.glob("out*"):
                 shutil.rmtree(path)
-            self.run_to("--seed", "1")
+            shutil.copytree(earlier, self.out)
             killed = self.start(TWO_MOTES, *IN_PROCESS, "--seed", "2", *arguments, out=self.out, env={
                 "LD_PRELOAD": str(self.library), "KILL_AT": str(number)}).finish()
             yield number, killed.status == -9

@@ -43,10 +43,14 @@ class Tab(Browser):
 
 
 class Controls(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.tab = Tab(1280, 720)
+        cls.addClassCleanup(cls.tab.close)
+
     def setUp(self):
         super().setUp()
-        self.tab = Tab(1280, 720)
-        self.addCleanup(self.tab.close)
+        self.addCleanup(self.tab.forget)
 
     def tearDown(self):
         self.assertEqual(self.tab.said, [])

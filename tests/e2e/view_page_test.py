@@ -164,7 +164,7 @@ class View(Case):
         for _ in range(3):
             scrub()
         before = self.browser.heap()
-        for _ in range(20):
+        for _ in range(10):
             scrub()
         after = self.browser.heap()
         # One more copy of the record's answers (some 2 MB) would show.

@@ -44,14 +44,15 @@ class Tab(Browser):
 
 
 class Room(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.tab = Tab(1280, 720)
+        cls.addClassCleanup(cls.tab.close)
+
     def setUp(self):
         super().setUp()
-        self.tab = self.opens(1280, 720)
-
-    def opens(self, width, height):
-        tab = Tab(width, height)
-        self.addCleanup(tab.close)
-        return tab
+        self.addCleanup(self.tab.resize, 1280, 720)
+        self.addCleanup(self.tab.forget)
 
     def keep(self, tab, name):
         if folder := os.environ.get("BARAKA_SCREENSHOTS"):
@@ -77,9 +78,9 @@ class Room(Case):
             return database.execute(sql, values).fetchall()
 
     def test_the_room_fills_the_pane(self):
-        address = self.result("--until", "2")
+        address, tab = self.result("--until", "2"), self.tab
         for width, height in ((1280, 720), (390, 844)):
-            tab = self.opens(width, height)
+            tab.resize(width, height)
             tab.open(f"{address}#theme=light&t=1.0")
             tab.go()
             self.assertFalse(tab.state("mode2d"))  # two bodies: in 3-D

@@ -51,8 +51,8 @@ def owners(files):
     """{package: one of its files}"""
     found = {}
     files = sorted(str(pathlib.Path(file).resolve()) for file in files)
-    for begin in range(0, len(files), 500):
-        for line in run("dpkg", "-S", *files[begin:begin + 500]).splitlines():
+    for begin in range(0, len(files), 5000):
+        for line in run("dpkg", "-S", *files[begin:begin + 5000]).splitlines():
             packages, _, file = line.partition(": ")
             for package in packages.split(", "):
                 found.setdefault(package.split(":")[0], file)

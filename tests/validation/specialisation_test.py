@@ -82,7 +82,7 @@ class Verdicts(unittest.TestCase):
     def test_agents_without_a_difference_are_told_apart_by_chance_only(self):
         # p is uniform then: below 0.2 in a fifth of the trials, 4 sigma of it aside.
         chance, trials = random.Random(7), 100
-        few = sum(p_value([Population(made(chance, 0.6), TASKS)], 49, trial) <= 0.2 for trial in range(trials))
+        few = sum(p_value([Population(made(chance, 0.6), TASKS)], 19, trial) <= 0.2 for trial in range(trials))
         self.assertLess(abs(few - 0.2 * trials), 4 * math.sqrt(trials * 0.2 * 0.8))
 
     def test_a_difference_between_classes_is_none_within_them(self):
