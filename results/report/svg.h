@@ -13,8 +13,4 @@ namespace results::report {
 /// `axis`, `curve-N`, and for data `point`, `interval`, `bin`, `line`, `band`.
 std::string svg(const Plot& plot);
 
-/// Round numbers within `low` .. `high` that divide the axis into about `count` parts; their
-/// distance is 1, 2 or 5 times a power of ten. @pre low < high, count > 0.
-std::vector<double> ticks(double low, double high, int count);
-
 }  // namespace results::report

@@ -3,7 +3,7 @@ quite the same. Needs Cyclone's ddsperf (Debian: cyclonedds-tools) and the right
 import collections
 import sys
 
-from document import pyplot
+from chart import Chart, Panel, axis, series
 from runs import ROOT, SCENARIOS
 
 sys.path.append(str(ROOT / "tests/e2e"))
@@ -23,12 +23,10 @@ def said(run, program):
     return (run.file.parent / f"{program}.log").read_text()
 
 
-def draw_round_trips(axis, seconds, colour, name, shift=0.0):
+def draw_round_trips(panel, seconds, curve, name, shift=0.0):
     """Median and the range from least to 90 % of each second, ms."""
-    at = [one.at - 0.5 + shift for one in seconds]
-    axis.errorbar(at, [1e3 * one.median for one in seconds],
-                  [[1e3 * (one.median - one.least) for one in seconds], [1e3 * (one.p90 - one.median) for one in seconds]],
-                  fmt="o", color=colour, markersize=3, capsize=2, label=name)
+    panel.marks([one.at - 0.5 + shift for one in seconds], [1e3 * one.median for one in seconds],
+                intervals=[(1e3 * one.least, 1e3 * one.p90) for one in seconds], scale=0.7, curve=curve, label=name)
 
 
 def air_by_purpose(run):
@@ -39,59 +37,49 @@ def air_by_purpose(run):
     return found
 
 
-def draw_air(axis, run):
+def draw_air(panel, run):
     found = air_by_purpose(run)
     seconds = range(1 + max(second for shares in found.values() for second in shares))
-    below = [0.0] * len(seconds)
-    for purpose, name in PURPOSES.items():
-        heights = [found.get(purpose, {}).get(second, 0) for second in seconds]
-        if any(heights):
-            axis.bar([second + 0.5 for second in seconds], heights, 0.9, below, label=name)
-        below = [a + b for a, b in zip(below, heights)]
-    axis.set(xlabel="time, s", ylabel="share of the air time")
+    shares = {name: [found.get(purpose, {}).get(second, 0) for second in seconds] for purpose, name in PURPOSES.items()}
+    panel.bars([second + 0.5 for second in seconds],
+               *(series(name, heights, curve) for curve, (name, heights) in enumerate(shares.items()) if any(heights)),
+               width=0.9, stacked=True)
+
+
+def round_trips(label, x="time since the program's start, s"):
+    return Panel(x=axis(x), y=axis(label, log=True))
 
 
 def dds_two_stations(runs):
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    for colour, shift, rate in (("C0", -0.1, "54 Mb/s"), ("C1", 0.1, "6 Mb/s")):
+    panel = round_trips("round trip of 64 bytes, ms")
+    for curve, (shift, rate) in enumerate(((-0.1, "54 Mb/s"), (0.1, "6 Mb/s"))):
         run = play(runs, "dds_two_stations", {"radio.data_rate": rate})
-        draw_round_trips(axis, ddsperf.round_trips(said(run, "pinger.ping")), colour, rate, shift)
-    axis.set(xlabel="time since the program's start, s", ylabel="round trip of 64 bytes, ms", yscale="log")
-    axis.legend(fontsize=7)
-    return figure
+        draw_round_trips(panel, ddsperf.round_trips(said(run, "pinger.ping")), curve, rate, shift)
+    return Chart(panel, title="Round trips between two stations")
 
 
 def dds_discovery_storm(runs):
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    draw_air(axis, play(runs, "dds_discovery_storm", {}))
-    axis.legend(fontsize=7)
-    return figure
+    panel = Panel(x=axis("time, s"), y=axis("share of the air time"))
+    draw_air(panel, play(runs, "dds_discovery_storm", {}))
+    return Chart(panel, title="What the air is used for", size=(640, 380))
 
 
 def dds_camera_over_wifi(runs):
-    plt = pyplot()
-    figure, axis = plt.subplots()
+    panel = round_trips("round trip, ms", "time, s")
     run = play(runs, "dds_camera_over_wifi", {})
-    draw_round_trips(axis, ddsperf.round_trips(said(run, "operator.command")), "C0", "commands, 1 kB, 20 Hz")
-    axis.axvline(5, color="0.5", linestyle=":", label="the camera begins: 512 kB, 3 Hz")
-    axis.set(xlabel="time, s", ylabel="round trip, ms", yscale="log")
-    axis.legend(fontsize=7)
-    return figure
+    draw_round_trips(panel, ddsperf.round_trips(said(run, "operator.command")), 0, "commands, 1 kB, 20 Hz")
+    panel.vertical(5, dash="dotted", label="the camera begins: 512 kB, 3 Hz")
+    return Chart(panel, title="Round trips of commands beside a camera")
 
 
 def dds_through_access_point(runs):
-    plt = pyplot()
-    figure, axis = plt.subplots()
+    panel = round_trips("round trip of 64 bytes, ms")
     near = {"agents.robot.poses": [{"x": "-15 m", "y": "0 m"}], "agents.operator.poses": [{"x": "15 m", "y": "0 m"}]}
-    for colour, shift, name, settings in (("C0", -0.1, "through the access point", {}),
-                                          ("C1", 0.1, "directly, 30 m", {**near, "radio.bss.access_point": []})):
+    for curve, (shift, name, settings) in enumerate(((-0.1, "through the access point", {}),
+                                                     (0.1, "directly, 30 m", {**near, "radio.bss.access_point": []}))):
         run = play(runs, "dds_through_access_point", settings)
-        draw_round_trips(axis, ddsperf.round_trips(said(run, "operator.ping")), colour, name, shift)
-    axis.set(xlabel="time since the program's start, s", ylabel="round trip of 64 bytes, ms", yscale="log")
-    axis.legend(fontsize=7)
-    return figure
+        draw_round_trips(panel, ddsperf.round_trips(said(run, "operator.ping")), curve, name, shift)
+    return Chart(panel, title="Round trips through an access point")
 
 
 PAGES = {"dds_two_stations": dds_two_stations, "dds_discovery_storm": dds_discovery_storm,

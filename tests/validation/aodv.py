@@ -5,7 +5,8 @@ import statistics
 
 import peer
 from aodv_fields import Field
-from document import Row, percent, pyplot, within
+from chart import Chart, Panel, around, axis
+from document import Row, percent, within
 from runs import OWN, ROOT
 
 NAME = "aodv"
@@ -161,14 +162,12 @@ def measure(runs, case):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axes = plt.subplots(1, 2)
     data = [row.data[3:] for row in rows if row.data[:2] == ("grid", 0)]
-    for axis, name, scale, label in ((axes[0], "delivered", 100, "delivered, %"),
-                                     (axes[1], "median", 1, "median delay, ms")):
-        for side, shift, style, whose in ((2, -0.1, "o", "ours"), (1, 0.1, "x", "ns-3")):
-            axis.errorbar([one[0] + shift for one in data], [scale * one[side][name][0] for one in data],
-                          [scale * one[side][name][1] for one in data], fmt=style, label=whose)
-        axis.set(xlabel="flows on the grid", ylabel=label, ylim=(0, None))
-        axis.legend()
-    return figure
+    panels = []
+    for name, scale, label in (("delivered", 100, "delivered, %"), ("median", 1, "median delay, ms")):
+        panel = Panel(x=axis("flows on the grid"), y=axis(label, limits=(0, None)))
+        for curve, (side, shift, shape, whose) in enumerate(((2, -0.1, "circle", "ours"), (1, 0.1, "cross", "ns-3"))):
+            means, halves = zip(*((scale * mean, scale * half) for mean, half in (one[side][name] for one in data)))
+            panel.marks([one[0] + shift for one in data], means, shape, around(means, halves), curve=curve, label=whose)
+        panels.append(panel)
+    return Chart(*panels, title=TITLE, columns=2)

@@ -5,7 +5,8 @@ import random
 import statistics
 
 import peer
-from document import Row, percent, pyplot, within
+from chart import Chart, Panel, axis
+from document import Row, percent, within
 from runs import OWN
 
 NAME = "beacons"
@@ -69,13 +70,9 @@ def measure(runs, case):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    data = [row.data for row in rows]
-    neighbours = [one[0] for one in data]
-    axis.plot(neighbours, [one[2] for one in data], "-", label="ours, -82 dBm")
-    axis.plot(neighbours, [one[3] for one in data], "--", label="ours, -70 dBm")
-    axis.plot(neighbours, [one[1] for one in data], "x", label="ns-3")
-    axis.set(xlabel="neighbours", ylabel="received per sent", ylim=(0, None))
-    axis.legend()
-    return figure
+    neighbours, theirs, like_them, standard = zip(*(row.data for row in rows))
+    panel = Panel(x=axis("neighbours"), y=axis("received per sent", limits=(0, None)))
+    panel.line(neighbours, like_them, curve=0, label="ours, -82 dBm")
+    panel.line(neighbours, standard, curve=1, dash="dashed", label="ours, -70 dBm")
+    panel.marks(neighbours, theirs, "cross", curve=2, label="ns-3")
+    return Chart(panel, title=TITLE)

@@ -3,7 +3,8 @@ import collections
 import math
 
 import peer
-from document import Row, pyplot
+from chart import Chart, Panel, axis
+from document import Row
 
 NAME = "errors"
 TITLE = "Packet error rates"
@@ -40,17 +41,19 @@ def measure(runs, case):
                "" if largest <= 0.005 else f"{mode}, {size} bytes: off by {largest:.3g}", (mode, size, snrs, ours, theirs))
 
 
+LEAST = 1e-6  # of the error rates that are drawn
+
+
 def draw(rows):
-    plt = pyplot()
-    figure, axes = plt.subplots(1, 2, sharey=True)
+    panels = [Panel(title, axis("SNR, dB"), axis("packet error rate", log=True, limits=(LEAST, 1.5)))
+              for title in ("DSSS, 1000 bytes", "OFDM, 1000 bytes")]
+    curves = collections.Counter()
     for mode, size, snrs, ours, theirs in (row.data for row in rows):
         if size != "1000":
             continue
-        axis = axes[int(mode[0] == "g")]
-        line, = axis.plot(snrs, ours, "-", label=mode)
-        axis.plot(snrs, theirs, "x", color=line.get_color())
-    for axis, title in zip(axes, ("DSSS, 1000 bytes", "OFDM, 1000 bytes")):
-        axis.set(xlabel="SNR, dB", yscale="log", ylim=(1e-6, 1.5), title=title)
-        axis.legend(fontsize=7)
-    axes[0].set(ylabel="packet error rate")
-    return figure
+        family = int(mode[0] == "g")
+        curve, panel = curves[family], panels[family]
+        panel.line(*zip(*(one for one in zip(snrs, ours) if one[1] > 0)), curve=curve, label=mode)
+        panel.marks(*zip(*(one for one in zip(snrs, theirs) if one[1] >= LEAST)), "cross", curve=curve)
+        curves[family] += 1
+    return Chart(*panels, title=TITLE, columns=2)

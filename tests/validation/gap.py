@@ -1,5 +1,5 @@
 """What became of the reports in runs of bridge_the_gap.yaml."""
-from document import pyplot
+from chart import Chart, Panel, axis
 from runs import SCENARIOS
 
 FAILS = 60   # s: the relay
@@ -37,22 +37,20 @@ WINDOW = 10  # s, of a point in the figure
 
 def bridge_the_gap(runs):
     """Share of the reports of the motes beyond the gap that got to the sink, with robots and without."""
-    plt = pyplot()
-    figure, axis = plt.subplots()
+    panel = Panel(x=axis("time, s"), y=axis("share of the reports of m3, m4, m5 delivered", limits=(-0.03, 1.03)))
     end = [{"at": "220 s", "result": "done"}]
-    for name, settings in (("two robots", {}), ("both without energy", {
-            "agents.rested.controller.parameters": {"reserve": 1}, "agents.tired.controller.parameters": {"reserve": 1}})):
+    for curve, (name, settings) in enumerate((("two robots", {}), ("both without energy", {
+            "agents.rested.controller.parameters": {"reserve": 1}, "agents.tired.controller.parameters": {"reserve": 1}}))):
         run = runs.play(SCENARIOS / "bridge_the_gap.yaml", {"end": end, "expect": [], **settings})
         sent = reports(run, ("m3", "m4", "m5"))
         points = {}
         for at, arrived in sent:
             points.setdefault(int(at / WINDOW), []).append(arrived)
-        axis.plot([(one + 0.5) * WINDOW for one in points], [sum(got) / len(got) for got in points.values()], "o-", label=name)
+        panel.line_and_marks([(one + 0.5) * WINDOW for one in points], [sum(got) / len(got) for got in points.values()],
+                             curve=curve, label=name)
         for robot, at in bridged_at(run).items():
-            axis.axvline(at, color="C0", linestyle="--")
-            axis.text(at, 0.5, f" {robot} is there", color="C0", fontsize=8)
-    axis.axvline(FAILS, color="0.5", linestyle=":")
-    axis.text(FAILS, 0.5, " m2 fails", color="0.4", fontsize=8)
-    axis.set(xlabel="time, s", ylabel="share of the reports of m3, m4, m5 delivered", ylim=(-0.03, 1.03))
-    axis.legend(loc="lower right")
-    return figure
+            panel.vertical(at, curve=curve, dash="dashed")
+            panel.text(at, 0.9, f"{robot} is there", curve=curve)
+    panel.vertical(FAILS, dash="dotted")
+    panel.text(FAILS, 0.9, "m2 fails")
+    return Chart(panel, title="What became of the reports")

@@ -4,7 +4,8 @@ import math
 import statistics
 
 import peer
-from document import Row, percent, pyplot, within
+from chart import Chart, Panel, axis, series
+from document import Row, percent, within
 from runs import OWN, radio_like
 
 NAME = "hidden"
@@ -62,22 +63,15 @@ def measure(runs, group):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axes = plt.subplots(1, 2)
-    bars = [one.data for one in rows if one.data[0]["senders"] == "2" and one.data[0]["hidden"] == "1" and
-            one.data[0]["rx_dbm_A"] == one.data[0]["rx_dbm_C"] == "-58.9794"]
+    data = [one.data for one in rows]
+    bars = [one for one in data if one[0]["senders"] == "2" and one[0]["hidden"] == "1" and
+            one[0]["rx_dbm_A"] == one[0]["rx_dbm_C"] == "-58.9794"]
     names = [f"{row['data']}{' RTS' if row['rtscts'] == '1' else ''}" for row, _, _ in bars]
-    places = range(len(bars))
-    axes[0].bar([p - 0.2 for p in places], [one[1] for one in bars], 0.4, label="ours")
-    axes[0].bar([p + 0.2 for p in places], [one[2] for one in bars], 0.4, label="ns-3")
-    axes[0].set_xticks(list(places), names, rotation=60)
-    axes[0].set(ylabel="goodput, Mb/s", title="hidden, equal levels", yscale="log")
-    axes[0].legend(fontsize=7)
-    captured = [(float(row["rx_dbm_A"]) - float(row["rx_dbm_C"]), ours, theirs) for row, ours, theirs in
-                (one.data for one in rows) if row["rx_dbm_A"] == "-48.9794"]
-    captured.sort()
-    axes[1].plot([one[0] for one in captured], [one[1] for one in captured], "-", label="ours")
-    axes[1].plot([one[0] for one in captured], [one[2] for one in captured], "x", label="ns-3")
-    axes[1].set(xlabel="A stronger than C at B, dB", ylabel="goodput, Mb/s", title="hidden, b11", ylim=(0, None))
-    axes[1].legend(fontsize=7)
-    return figure
+    equal = Panel("hidden, equal levels", axis(names=names), axis("goodput, Mb/s", log=True))
+    equal.bars(range(len(bars)), series("ours", [one[1] for one in bars], 0), series("ns-3", [one[2] for one in bars], 1))
+    captured = Panel("hidden, b11", axis("A stronger than C at B, dB"), axis("goodput, Mb/s", limits=(0, None)))
+    stronger, ours, theirs = zip(*sorted((float(row["rx_dbm_A"]) - float(row["rx_dbm_C"]), ours, theirs)
+                                         for row, ours, theirs in data if row["rx_dbm_A"] == "-48.9794"))
+    captured.line(stronger, ours, curve=0, label="ours")
+    captured.marks(stronger, theirs, "cross", curve=1, label="ns-3")
+    return Chart(equal, captured, title=TITLE, columns=2)

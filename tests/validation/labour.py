@@ -9,7 +9,7 @@ import re
 import statistics
 
 import specialisation
-from document import pyplot
+from chart import BLACK, Chart, Panel, axis
 from runs import ROOT, SCENARIOS
 from specialisation import HOUR, Population, Verdict
 
@@ -296,23 +296,15 @@ def division_of_labour(runs):
 
 
 def figure_of(hours):
-    plt = pyplot()
-    figure, axes = plt.subplots(2, 4, figsize=(11, 5), sharex=True, sharey=True)
-    axes[1][3].set_visible(False)
-    times = range(0, HOUR + 1, EVERY)
-    for row, (kind, (_, tasks)) in enumerate(KINDS.items()):
-        for axis, task in zip(axes[row], tasks):
-            first = hours[0].probabilities
+    panels, times = [], range(0, HOUR + 1, EVERY)
+    for kind, (_, tasks) in KINDS.items():
+        for task in tasks:
+            panel = Panel(f"{kind}: {task}", axis("time, s", limits=(0, HOUR)), axis("probability", limits=(0, 1)))
             for agent in hours[0].agents(kind):
-                steps = first[agent][task]
+                steps = hours[0].probabilities[agent][task]
                 at, p = zip(*steps, (HOUR, steps[-1][1]))
-                axis.step(at, p, where="post", linewidth=0.6, alpha=0.6, color=f"C{number_of(agent) % 10}")
+                panel.line(at, p, stepped=True, curve=number_of(agent), stroke=0.6, opacity=0.6)
             everybody = [hour.probabilities[agent][task] for hour in hours for agent in hour.agents(kind)]
-            axis.plot(times, [statistics.fmean(value_at(one, time) for one in everybody) for time in times], "k",
-                      linewidth=1.5)
-            axis.set(title=f"{kind}: {task}", ylim=(0, 1), xlim=(0, HOUR))
-    for axis in (*axes[0], *axes[1]):
-        axis.set_xlabel("time, s")
-    for row in axes:
-        row[0].set_ylabel("probability")
-    return figure
+            panel.line(times, [statistics.fmean(value_at(one, time) for one in everybody) for time in times], curve=BLACK)
+            panels.append(panel)
+    return Chart(*panels, title="Probabilities of the tasks", columns=4, size=(1056, 480))

@@ -3,7 +3,8 @@ import collections
 import math
 
 import peer
-from document import Row, pyplot, within
+from chart import Chart, Panel, around, axis
+from document import Row, within
 from runs import OWN
 
 NAME = "line"
@@ -62,13 +63,9 @@ def measure(runs, case):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    d = [one.data[0] for one in rows]
-    axis.errorbar(d, [one.data[1] for one in rows], [one.data[2] for one in rows], fmt="o", label="ours")
-    axis.errorbar([one + 1 for one in d], [one.data[3] for one in rows], [one.data[4] for one in rows], fmt="x",
-                  label="ns-3")
-    axis.axhline(mean_of_peer(), color="C1", alpha=0.5)
-    axis.set(xlabel="d, m", ylabel="share of overlapping starts", ylim=(0, 0.1))
-    axis.legend()
-    return figure
+    distances, ours, our_halves, theirs, their_halves = zip(*(row.data for row in rows))
+    panel = Panel(x=axis("d, m"), y=axis("share of overlapping starts", limits=(0, 0.1)))
+    panel.marks(distances, ours, "circle", around(ours, our_halves), curve=0, label="ours")
+    panel.marks([one + 1 for one in distances], theirs, "cross", around(theirs, their_halves), curve=1, label="ns-3")
+    panel.horizontal(mean_of_peer(), curve=1, opacity=0.5)
+    return Chart(panel, title=TITLE)

@@ -4,7 +4,8 @@ import statistics
 
 import hidden
 import peer
-from document import Row, percent, pyplot, within
+from chart import GREY, Chart, Panel, axis
+from document import Row, percent, within
 from runs import OWN, SCENARIOS, cell_seconds, radio_like
 
 NAME = "more"
@@ -58,14 +59,11 @@ def measure(runs, group):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axis = plt.subplots(figsize=(6.4, 4.6))
     data = [row.data for row in rows][::-1]
-    axis.barh(range(len(data)), [200 * one[2] for one in data], left=[-100 * one[2] for one in data], color="0.85",
-              label="spread of ns-3's seeds")
-    axis.plot([100 * (one[1] - 1) for one in data], range(len(data)), "o", label="ours")
-    axis.set_yticks(range(len(data)), [one[0] for one in data], fontsize=7)
-    axis.axvline(0, color="0.5")
-    axis.set(xlabel="goodput beside ns-3's mean, %", xlim=(-5, 5))
-    axis.legend(fontsize=7)
-    return figure
+    panel = Panel(x=axis("goodput beside ns-3's mean, %", limits=(-5, 5)), y=axis(names=[one[0] for one in data]))
+    for place, (_, _, spread, *_) in enumerate(data):
+        panel.line([-100 * spread, 100 * spread], [place, place], curve=GREY, stroke=10, opacity=0.3,
+                   label="spread of ns-3's seeds")
+    panel.marks([100 * (one[1] - 1) for one in data], range(len(data)), curve=0, label="ours")
+    panel.vertical(0)
+    return Chart(panel, title=TITLE, size=(640, 460))

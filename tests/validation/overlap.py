@@ -3,7 +3,8 @@ import itertools
 
 import intervals
 import peer
-from document import Row, pyplot
+from chart import Chart, Panel, around, axis, series
+from document import Row
 from runs import OWN, radio_like
 
 NAME = "overlap"
@@ -75,16 +76,12 @@ def measure(runs, case):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axes = plt.subplots(1, 3)
-    for axis, (cell, some) in zip(axes, itertools.groupby((row.data for row in rows), lambda one: one[0])):
+    panels = []
+    for cell, some in itertools.groupby((row.data for row in rows), lambda one: one[0]):
         some = list(some)
-        places = range(len(some))
-        for shift, column, name in ((-0.27, 2, "ns-3"), (0, 3, "as ns-3"), (0.27, 4, "standard")):
-            axis.bar([p + shift for p in places], [one[column][0] for one in some], 0.27,
-                     yerr=[one[column][1] for one in some], label=name)
-        axis.set_xticks(list(places), [one[1] for one in some])
-        axis.set(xlabel="flow", title=cell)
-    axes[0].set(ylabel="goodput, Mb/s")
-    axes[0].legend(fontsize=7)
-    return figure
+        panel = Panel(cell, axis("flow", names=[one[1] for one in some]), axis("goodput, Mb/s"))
+        panel.bars(range(len(some)), *(series(name, [one[column][0] for one in some], curve,
+                                              around(*zip(*(one[column] for one in some))))
+                                       for curve, (column, name) in enumerate(((2, "ns-3"), (3, "as ns-3"), (4, "standard")))))
+        panels.append(panel)
+    return Chart(*panels, title=TITLE, columns=3, size=(760, 340))

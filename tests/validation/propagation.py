@@ -3,7 +3,8 @@ import math
 import statistics
 
 import peer
-from document import Row, pyplot, within
+from chart import GREY, Chart, Panel, axis
+from document import Row, within
 
 NAME = "propagation"
 TITLE = "Propagation"
@@ -100,22 +101,19 @@ def crossings(level):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axes = plt.subplots(1, 3, figsize=(8, 3))
     data = [row.data for row in rows if row.data]
-    for kind, distances, ours, closed in (one for one in data if one[0] in ("two_ray", "log_distance")):
-        line, = axes[0].plot(distances, closed, "-", label=kind)
-        axes[0].plot(distances, ours, "x", color=line.get_color())
-    axes[0].set(xscale="log", xlabel="distance, m", ylabel="gain, dB", title="x: ours")
-    axes[0].legend(fontsize=7)
-    d = list(range(0, 45))
-    axes[1].plot(d, [math.exp(-one / 20) for one in d], "-")
-    axes[1].plot([0] + [one[1] for one in data if one[0] == "correlation"],
-                 [1] + [one[2] for one in data if one[0] == "correlation"], "x", color="C0")
-    axes[1].set(xlabel="way of one end, m", title="correlation of shadowing")
-    level = [0.01 * 1.08 ** i for i in range(75)]
-    axes[2].plot(level, [math.sqrt(2 * math.pi * one) * math.exp(-one) for one in level], "-")
-    axes[2].plot([one[1] for one in data if one[0] == "crossings"],
-                 [one[2] for one in data if one[0] == "crossings"], "x", color="C0")
-    axes[2].set(xscale="log", xlabel="power over its mean", title="crossings per wavelength")
-    return figure
+    gain = Panel("gain", axis("distance, m", log=True), axis("dB"))
+    for curve, (kind, distances, ours, closed) in enumerate(one for one in data if one[0] in ("two_ray", "log_distance")):
+        gain.line(distances, closed, curve=curve, label=kind.replace("_", " "))
+        gain.marks(distances, ours, "cross", curve=curve)
+    gain.marks([], [], "cross", curve=GREY, label="ours")
+    shadowing = Panel("correlation of shadowing", axis("way of one end, m"))
+    ways = range(45)
+    shadowing.line(ways, [math.exp(-one / 20) for one in ways])
+    correlated = [(0, 1), *(one[1:3] for one in data if one[0] == "correlation")]
+    shadowing.marks(*zip(*correlated), "cross")
+    fading = Panel("crossings per wavelength", axis("power over its mean", log=True))
+    levels = [0.01 * 1.08 ** i for i in range(75)]
+    fading.line(levels, [math.sqrt(2 * math.pi * one) * math.exp(-one) for one in levels])
+    fading.marks(*zip(*(one[1:3] for one in data if one[0] == "crossings")), "cross")
+    return Chart(gain, shadowing, fading, title=TITLE, columns=3, size=(800, 320))

@@ -2,7 +2,8 @@
 import collections
 
 import peer
-from document import Row, percent, pyplot, within
+from chart import GREY, Chart, Panel, axis
+from document import Row, percent, within
 from runs import OWN, ROOT, rate
 
 NAME = "ranges"
@@ -62,13 +63,11 @@ def measure(runs, case):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    for mode, detector, distances, ours, theirs in (row.data for row in rows):
-        if detector == "1":
-            continue
-        line, = axis.plot(distances, ours, "-", label=mode)
-        axis.plot(distances[::2], theirs[::2], "x", color=line.get_color(), markersize=3)
-    axis.set(xlabel="distance, m", ylabel="share received", xscale="log", title="line: ours, x: ns-3; no detector")
-    axis.legend(fontsize=7, ncols=2)
-    return figure
+    panel = Panel(x=axis("distance, m", log=True), y=axis("share received"))
+    without = [row.data for row in rows if row.data[1] != "1"]  # the detector
+    for curve, (mode, _, distances, ours, theirs) in enumerate(without):
+        panel.line(distances, ours, curve=curve, label=mode)
+        panel.marks(distances[::2], theirs[::2], "cross", curve=curve, scale=0.7)
+    panel.line([], [], curve=GREY, label="ours; no detector")
+    panel.marks([], [], "cross", curve=GREY, label="ns-3")
+    return Chart(panel, title=TITLE)

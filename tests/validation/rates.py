@@ -3,7 +3,8 @@ import itertools
 
 import intervals
 import peer
-from document import Row, pyplot
+from chart import Chart, Panel, around, axis
+from document import Row
 from runs import OWN, radio_like
 
 NAME = "rates"
@@ -73,14 +74,14 @@ def measure(runs, group):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axes = plt.subplots(1, 2, sharey=True)
-    for axis, manager in zip(axes, ("aarf", "minstrel")):
+    panels = []
+    for manager in ("aarf", "minstrel"):
         some = [one.data for one in rows if one.data[0]["phy"] == "g" and one.data[0]["manager"] == manager]
-        d = [float(one[0]["distance_m"]) for one in some]
-        for column, name, mark in ((1, "ours", "o-"), (2, "ns-3", "x"), (3, "ns-3 changed", "+")):
-            axis.errorbar(d, [one[column][0] for one in some], [one[column][1] for one in some], fmt=mark, label=name)
-        axis.set(xlabel="distance, m", title=f"802.11g, {manager}")
-    axes[0].set(ylabel="goodput, Mb/s", ylim=(0, None))
-    axes[0].legend(fontsize=7)
-    return figure
+        panel = Panel(f"802.11g, {manager}", axis("distance, m"), axis("goodput, Mb/s", limits=(0, None)))
+        distances = [float(one[0]["distance_m"]) for one in some]
+        panel.line(distances, [one[1][0] for one in some], curve=0, label="ours")
+        for curve, (column, name, shape) in enumerate(((1, "ours", "circle"), (2, "ns-3", "cross"), (3, "ns-3 changed", "plus"))):
+            means, halves = zip(*(one[column] for one in some))
+            panel.marks(distances, means, shape, around(means, halves), curve=curve, label=name)
+        panels.append(panel)
+    return Chart(*panels, title=TITLE, columns=2, shares="y")

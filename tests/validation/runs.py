@@ -55,6 +55,7 @@ class Runs:
     def __init__(self, build):
         self.program = build / "bin/baraka"
         self.probe = build / "tests/radio_probe"
+        self.drawer = build / "tests/draw_chart"
         self.folder = tempfile.TemporaryDirectory(prefix="baraka-validation-")
         self.count = 0
 
@@ -86,6 +87,14 @@ class Runs:
         if done.returncode != 0:
             raise SystemExit(f"{self.probe}: {done.stderr}")
         return [float(line) for line in done.stdout.split()]
+
+    def draw(self, chart, path):
+        """Writes a chart (chart.py) as SVG. Equal charts give equal bytes."""
+        done = subprocess.run([self.drawer], input=chart.json(), capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(f"{path}: {done.stderr}")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(done.stdout, encoding="utf-8")
 
 
 def radio_like(mode, control, slot_us, ack=None, rts=False):

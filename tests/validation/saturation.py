@@ -1,6 +1,7 @@
 """n saturated senders on a circle round a receiver."""
 import peer
-from document import Row, percent, pyplot, within
+from chart import GREY, Chart, Panel, axis
+from document import Row, percent, within
 from runs import SCENARIOS, cell_seconds, radio_like
 
 NAME = "saturation"
@@ -53,21 +54,21 @@ def measure(runs, row):
 
 
 def draw(rows):
-    plt = pyplot()
-    figure, axes = plt.subplots(1, 2)
-    for axis, mode, ack in ((axes[0], "b11", "1.0"), (axes[1], "g54", "24.0")):
+    panels = []
+    for mode, ack in (("b11", "1.0"), ("g54", "24.0")):
         slot = "20.0" if mode == "b11" else "9.0"
-        for payload, rts, colour in (("1500", "0", "C0"), ("1500", "1", "C1"), ("100", "0", "C2"), ("100", "1", "C3")):
+        panel = Panel(f"{mode}, slot {float(slot):g} us", axis("senders", log=True, ticks=(1, 2, 5, 10, 50)),
+                      axis("goodput, Mb/s", limits=(0, None)))
+        for curve, (payload, rts) in enumerate((("1500", "0"), ("1500", "1"), ("100", "0"), ("100", "1"))):
             chosen = [(int(row["n"]), mbps, row) for row, mbps in (one.data for one in rows)
                       if (row["data"], row["ack"], row["slot_us"], row["payload"], row["rtscts"]) ==
                       (mode, ack, slot, payload, rts)]
             n = [one[0] for one in chosen]
-            axis.plot(n, [float(one[2]["bianchi_inf_difs"]) for one in chosen], ":", color=colour)
-            axis.plot(n, [float(one[2]["ns3_mbps"]) for one in chosen], "x", color=colour)
-            axis.plot(n, [one[1] for one in chosen], "-", color=colour,
-                      label=f"{payload} B{', RTS' if rts == '1' else ''}")
-        axis.set(title=f"{mode}, slot {float(slot):g} us", xlabel="senders", ylabel="goodput, Mb/s", xscale="log",
-                 ylim=(0, None))
-        axis.set_xticks([1, 2, 5, 10, 50], ["1", "2", "5", "10", "50"])
-    axes[0].legend(fontsize=7, title="line: ours, x: ns-3, dots: Bianchi", title_fontsize=7)
-    return figure
+            panel.line(n, [float(one[2]["bianchi_inf_difs"]) for one in chosen], curve=curve, dash="dotted")
+            panel.marks(n, [float(one[2]["ns3_mbps"]) for one in chosen], "cross", curve=curve)
+            panel.line(n, [one[1] for one in chosen], curve=curve, label=f"{payload} B{', RTS' if rts == '1' else ''}")
+        panel.line([], [], curve=GREY, label="ours")
+        panel.marks([], [], "cross", curve=GREY, label="ns-3")
+        panel.line([], [], curve=GREY, dash="dotted", label="Bianchi")
+        panels.append(panel)
+    return Chart(*panels, title=TITLE, columns=2, size=(760, 380))

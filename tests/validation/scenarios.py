@@ -4,7 +4,7 @@ import math
 
 import air_scenarios
 import labour
-from document import pyplot
+from chart import Chart, Panel, axis, series
 from gap import bridge_the_gap
 from runs import OWN, SCENARIOS
 from teleop import teleop_behind_a_wall
@@ -14,59 +14,44 @@ RTS = {"radio.rts_threshold": 0}
 
 def saturation(runs):
     senders = (1, 2, 5, 10, 20, 50)
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    for name, more in (("without", {}), ("with RTS/CTS", RTS)):
-        axis.plot(senders, [runs.play(SCENARIOS / "saturation.yaml", {"agents.sources.circle.count": n, **more})
-                            .goodput("sink") for n in senders], "o-", label=name)
-    axis.set(xscale="log", xlabel="senders", ylabel="goodput, Mb/s", ylim=(0, None))
-    axis.set_xticks(senders, [str(n) for n in senders])
-    axis.legend()
-    return figure
+    panel = Panel(x=axis("senders", log=True, ticks=senders), y=axis("goodput, Mb/s", limits=(0, None)))
+    for curve, (name, more) in enumerate((("without", {}), ("with RTS/CTS", RTS))):
+        panel.line_and_marks(senders, [runs.play(SCENARIOS / "saturation.yaml", {"agents.sources.circle.count": n, **more})
+                                       .goodput("sink") for n in senders], curve=curve, label=name)
+    return Chart(panel, title="Goodput of saturated senders")
 
 
 def hidden_terminal(runs):
     rates = ("1", "2", "5.5", "11")
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    for shift, name, more in ((-0.2, "without", {}), (0.2, "with RTS/CTS", RTS)):
-        axis.bar([i + shift for i in range(len(rates))],
-                 [runs.play(SCENARIOS / "hidden_terminal.yaml", {"radio.data_rate": f"{one} Mb/s", **more})
-                  .goodput("receiver") for one in rates], 0.4, label=name)
-    axis.set_xticks(range(len(rates)), [f"{one} Mb/s" for one in rates])
-    axis.set(ylabel="goodput of both, Mb/s")
-    axis.legend()
-    return figure
+    panel = Panel(x=axis(names=[f"{one} Mb/s" for one in rates]), y=axis("goodput of both, Mb/s"))
+    panel.bars(range(len(rates)), *(
+        series(name, [runs.play(SCENARIOS / "hidden_terminal.yaml", {"radio.data_rate": f"{one} Mb/s", **more})
+                      .goodput("receiver") for one in rates], curve)
+        for curve, (name, more) in enumerate((("without", {}), ("with RTS/CTS", RTS)))))
+    return Chart(panel, title="Goodput of two senders that do not hear each other")
 
 
 def range_(runs):
-    plt = pyplot()
-    figure, axis = plt.subplots()
+    panel = Panel(x=axis("distance, m"), y=axis("share received"))
     reach = 299792458 / 2.412e9 / (4 * math.pi) * math.sqrt(40 / 10 ** -8.2)
-    for name, settings in (("-82 dBm", {}), ("exponent 2.5", {"radio.path_loss_exponent": 2.5})):
+    for curve, (name, settings) in enumerate((("-82 dBm", {}), ("exponent 2.5", {"radio.path_loss_exponent": 2.5}))):
         recorded = runs.play(SCENARIOS / "range.yaml", settings).recorded()
-        axis.plot([50 * (i + 1) for i in range(20)],
-                  [recorded[f"p{i}"]["received"] / recorded["sender"]["sent"] for i in range(20)], "o-", label=name)
-    axis.axvline(reach, color="0.5", linestyle=":", label=f"Friis: {reach:.1f} m")
-    axis.axvline(reach ** (2 / 2.5), color="C1", linestyle=":")
-    axis.set(xlabel="distance, m", ylabel="share received")
-    axis.legend()
-    return figure
+        panel.line_and_marks([50 * (i + 1) for i in range(20)],
+                             [recorded[f"p{i}"]["received"] / recorded["sender"]["sent"] for i in range(20)],
+                             curve=curve, label=name)
+    panel.vertical(reach, dash="dotted", label=f"Friis: {reach:.1f} m")
+    panel.vertical(reach ** (2 / 2.5), curve=1, dash="dotted")
+    return Chart(panel, title="Share of the frames received by distance")
 
 
 def near_far(runs):
-    plt = pyplot()
-    figure, axis = plt.subplots()
     margins = ("none", "15 dB", "10 dB", "5 dB")
     played = [runs.play(SCENARIOS / "near_far.yaml", {"radio.capture_margin": margin}).recorded() for margin in margins]
-    for shift, station in ((-0.2, "near"), (0.2, "far")):
-        bars = axis.bar([i + shift for i in range(len(margins))], [one[station]["handed_over"] for one in played], 0.4,
-                        label=station)
-        axis.bar_label(bars, fmt="%d", fontsize=7)
-    axis.set_xticks(range(len(margins)), [f"capture {one}" for one in margins])
-    axis.set(ylabel="frames acknowledged in 8.2 s")
-    axis.legend()
-    return figure
+    panel = Panel(x=axis(names=[f"capture {one}" for one in margins]), y=axis("frames acknowledged in 8.2 s"))
+    counts = {station: [one[station]["handed_over"] for one in played] for station in ("near", "far")}
+    panel.bars(range(len(margins)), *(series(station, some, curve, texts=[f"{one:.0f}" for one in some])
+                                      for curve, (station, some) in enumerate(counts.items())))
+    return Chart(panel, title="Frames of a near and of a far station")
 
 
 WALL = ((-5, 4.85), (5, 5.15))     # m: behind_a_wall.yaml
@@ -111,29 +96,25 @@ def way_of_the_robot(run):
 
 
 def behind_a_wall(runs):
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    for colour, settings in (("C0", {}), ("C1", {"radio.obstacles": False})):
+    panel = Panel(x=axis("x of the robot, m"), y=axis("RSSI, dBm"))
+    for curve, (name, settings) in enumerate((("with", {}), ("without", {"radio.obstacles": False}))):
         way = way_of_the_robot(runs.play(SCENARIOS / "behind_a_wall.yaml", settings))
-        name = "without" if settings else "with"
-        axis.plot([one[0] for one in way], [rssi_behind_a_wall(one[:2], not settings) for one in way], "-", color=colour,
-                  alpha=0.6, label=f"closed form, {name} the wall")
-        for delivered, mark in ((True, "o"), (False, "x")):
+        panel.line([one[0] for one in way], [rssi_behind_a_wall(one[:2], not settings) for one in way], curve=curve,
+                   opacity=0.6, label=f"closed form, {name} the wall")
+        for delivered, shape in ((True, "circle"), (False, "cross")):
             some = [one for one in way if one[3] == delivered][::8]
-            axis.plot([one[0] for one in some], [one[2] for one in some], mark, color=colour, markersize=3,
-                      label=f"{'received' if delivered else 'lost'}, {name}" if some else None)
-    axis.axhline(-82, color="0.5", linestyle=":")
-    axis.set(xlabel="x of the robot, m", ylabel="RSSI, dBm")
-    axis.legend(fontsize=7)
-    return figure
+            if some:
+                panel.marks([one[0] for one in some], [one[2] for one in some], shape, curve=curve, scale=0.7,
+                            label=f"{'received' if delivered else 'lost'}, {name}")
+    panel.horizontal(-82, dash="dotted")
+    return Chart(panel, title="RSSI of a robot behind a wall")
 
 
 def handover(runs):
     """Longest gap in each half second between the messages that the server gets, and when the walker changes over. Without a
     scan and without keys: a lower bound."""
-    plt = pyplot()
-    figure, axis = plt.subplots()
-    for colour, hysteresis in (("C0", "4 dB"), ("C1", "40 dB")):
+    panel = Panel(x=axis("time, s"), y=axis("longest gap between messages, ms", log=True, limits=(1, 2000)))
+    for curve, hysteresis in enumerate(("4 dB", "40 dB")):
         run = runs.play(SCENARIOS / "handover.yaml", {"radio.bss.hysteresis": hysteresis})
         arrived = [at / 1e9 for at, in run.query("SELECT d.at_ns FROM deliveries d JOIN agents a ON a.agent = d.receiver "
                                                  "WHERE a.name = 'server' ORDER BY d.at_ns")]
@@ -141,14 +122,12 @@ def handover(runs):
         for here, there in zip(arrived, arrived[1:]):
             half = int(2 * here) / 2
             longest[half] = max(longest.get(half, 0), 1e3 * (there - here))
-        axis.plot(list(longest), list(longest.values()), ".", color=colour, label=f"hysteresis {hysteresis}")
+        panel.marks(list(longest), list(longest.values()), scale=0.5, curve=curve, label=f"hysteresis {hysteresis}")
         for at, name in run.query("SELECT s.at_ns, a.name FROM associations s JOIN agents w ON w.agent = s.station "
                                   "LEFT JOIN agents a ON a.agent = s.access_point WHERE w.name = 'walker'"):
-            axis.axvline(at / 1e9, color=colour, linestyle=":", alpha=0.7)
-            axis.text(at / 1e9, 1500, f" {name or 'none'}", color=colour, fontsize=7, rotation=90, va="top")
-    axis.set(xlabel="time, s", ylabel="longest gap between messages, ms", yscale="log", ylim=(1, 2000))
-    axis.legend(fontsize=7, loc="center right")
-    return figure
+            panel.vertical(at / 1e9, curve=curve, dash="dotted", opacity=0.7)
+            panel.text(at / 1e9, 1500, name or "none", curve=curve)
+    return Chart(panel, title="Gaps between the messages of a station that changes over")
 
 
 def anthocnet_base_field(runs):
@@ -156,17 +135,16 @@ def anthocnet_base_field(runs):
     with (OWN / "anthocnet_base_field.csv").open(newline="") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     names = list(dict.fromkeys(row["algorithm"] for row in rows))
-    plt = pyplot()
-    figure, axes = plt.subplots(1, 3, figsize=(8, 3), layout="constrained")
-    for axis, measure, label in zip(axes, ("delivery", "delay_mean", "frames"),
-                                    ("delivered, %", "mean delay, ms", "frames per message delivered")):
-        for place, name in enumerate(names):
-            values = [float(row[measure]) for row in rows if row["algorithm"] == name]
-            axis.plot([place] * len(values), values, "o", markersize=3, alpha=0.5, color=f"C{place}")
-            axis.plot(place, sum(values) / len(values), "_", markersize=18, color=f"C{place}")
-        axis.set_xticks(range(len(names)), names, fontsize=7)
-        axis.set(ylabel=label, xlim=(-0.5, len(names) - 0.5))
-    return figure
+    panels = []
+    for measure, label in (("delivery", "delivered, %"), ("delay_mean", "mean delay, ms"),
+                           ("frames", "frames per message delivered")):
+        panel = Panel(x=axis(names=names), y=axis(label))
+        for place in range(len(names)):
+            values = [float(row[measure]) for row in rows if row["algorithm"] == names[place]]
+            panel.marks([place] * len(values), values, scale=0.7, opacity=0.5, curve=place)
+            panel.line([place - 0.25, place + 0.25], [sum(values) / len(values)] * 2, curve=place, stroke=2)
+        panels.append(panel)
+    return Chart(*panels, title="AntHocNet and AODV", columns=3, size=(800, 320))
 
 
 PAGES = {"saturation": saturation, "hidden_terminal": hidden_terminal, "range": range_, "near_far": near_far,

@@ -4,7 +4,7 @@ import bisect
 import pathlib
 import subprocess
 
-from document import pyplot
+from chart import Chart, Panel, axis, series
 from runs import SCENARIOS, Run
 
 LANE, WALL = 8, ((-2, 3.85), (2, 4.15))  # m north of the operator's way; corners
@@ -63,19 +63,16 @@ def teleop_behind_a_wall(runs):
 
 
 def figure_of(drive):
-    plt = pyplot()
-    figure, (above, below) = plt.subplots(2, 1, sharex=True)
+    received = Panel(x=axis(limits=(0, drive.end)), y=axis("commands per second"))
     seconds = range(int(drive.end))
-    above.bar([second + 0.5 for second in seconds], [drive.received(second, second + 1) for second in seconds], 0.9)
-    above.set(ylabel="commands per second")
+    received.span(*drive.shadow(), label="the wall is between them")
+    received.bars([second + 0.5 for second in seconds], series("", [drive.received(one, one + 1) for one in seconds], 0))
+    way = Panel(x=axis("time, s", limits=(0, drive.end)), y=axis("way east, m"))
+    way.span(*drive.shadow())
     times = [i / 10 for i in range(int(10 * drive.end))]
-    below.plot(times, [drive.place(t) for t in times], label="robot")
-    below.plot(times, [operator_at(t) for t in times], label="operator")
-    below.set(xlabel="time, s", ylabel="way east, m")
-    for axis in (above, below):
-        axis.axvspan(*drive.shadow(), color="0.5", alpha=0.25, label="the wall is between them")
+    way.line(times, [drive.place(t) for t in times], curve=0, label="robot")
+    way.line(times, [operator_at(t) for t in times], curve=1, label="operator")
     for at, state in drive.states[1:]:
-        below.axvline(at, color="C0", linestyle=":")
-        below.text(at, 9, f" {state}", color="C0", fontsize=7, rotation=90, va="top")
-    below.legend(fontsize=7, loc="lower right")
-    return figure
+        way.vertical(at, curve=0, dash="dotted")
+        way.text(at, 9, state, curve=0)
+    return Chart(received, way, title="A robot that is driven by hand behind a wall", size=(640, 480))

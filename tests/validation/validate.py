@@ -26,7 +26,7 @@ import rates
 import runs
 import saturation
 import scenarios
-from document import save, table
+from document import table
 
 PAGE = runs.ROOT / "docs/validation.md"
 FIGURES = runs.ROOT / "docs/validation"
@@ -80,13 +80,13 @@ def main():
         if options.short:
             mistakes += [f"not in docs/validation.md: {row.markdown()}" for row in rows if row.markdown() not in page]
         else:
-            save(section.draw(rows), FIGURES / f"{section.NAME}.svg")
+            player.draw(section.draw(rows), FIGURES / f"{section.NAME}.svg")
             texts[section.TITLE] = text_of(section, rows)
         print(f"{section.NAME}: {len(rows)} rows, {len(wrong)} out of tolerance", flush=True)
     if not options.short:
         write(texts)
         for name, figure in scenarios.figures(player, options.only):
-            save(figure, runs.ROOT / f"docs/scenarios/{name}.svg")
+            player.draw(figure, runs.ROOT / f"docs/scenarios/{name}.svg")
             print(f"docs/scenarios/{name}.svg", flush=True)
     for mistake in mistakes:
         print(mistake)

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "results/report/axis.h"
 #include "results/report/experiment_section.h"
 #include "results/report/svg.h"
 
