@@ -380,9 +380,9 @@ class Runs(Air):
 
     def test_pace_is_that_of_the_clock_and_no_faster(self):
         scenario = self.scenario(station("a", 0), end="1 s")
-        for pace in ("lockstep", "realtime:1.01", "realtime:0.009"):
+        for pace in ("realtime:1.01", "realtime:0.009"):
             refused = self.run_baraka(scenario, "--pace", pace, status=2)
-            self.assertIn("agents with a network" if pace == "lockstep" else "agents that have a network", refused.err)
+            self.assertIn("agents that have a network", refused.err)
         slower = self.run_baraka(scenario, "--max-speed", "0.5", status=2)
         self.assertIn("--max-speed: agents with a network follow the clock", slower.err)
         self.assertLess(float(self.run_baraka(scenario)["real_time_factor"]), 1.1)

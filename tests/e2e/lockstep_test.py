@@ -183,8 +183,12 @@ class Refused(Held):
         self.assertRegex(finished.err, r"held.yaml:\d+:\d+: command: .*still is statically linked, so lock-step cannot "
                                        r"hold it; run it in real time \(--pace realtime\)")
 
-    def test_one_that_waits_for_what_nobody_knows_fails_the_run_by_name(self):
-        """A thread that a program makes past the C library is not known."""
+    def test_controllers_inside_their_agents_need_real_time_still(self):
+        finished = self.run_held(ROOT / "config/scenarios/teleop_behind_a_wall.yaml", status=2)
+        self.assertRegex(finished.err, "--pace: lockstep: the controllers of .* run inside their agents")
+
+    def test_a_thread_that_is_made_past_the_c_library_is_refused_to_the_program(self):
+        """Nobody would know of it."""
         code = "import ctypes, threading\nctypes.CDLL(None).getpid()\nprint('made', ctypes.CDLL(None).syscall(56, 0x100, 1, 0, 0, 0))"
         self.run_held(scenario(self.folder, {"a": [("raw", [PYTHON, "-c", textwrap.dedent(code)], ", on_exit: end")]}))
         self.assertIn("made -1", self.log("a", "raw"))
