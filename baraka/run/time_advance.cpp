@@ -147,15 +147,14 @@ std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
 
 /// Takes out of a record in lock-step what came from programs, which acted in events of the run.
 std::vector<sim::OutsideArrival> take_of_programs(std::vector<sim::OutsideArrival>& arrivals) {
-  const auto of_programs = [](const sim::OutsideArrival& one) {
-    return one.door == network::kProgramsDoor || sim::agents::is_air_door(one.door);
-  };
-  const auto others = std::ranges::stable_partition(
-      arrivals, [&](const sim::OutsideArrival& one) { return !of_programs(one); });
-  std::vector<sim::OutsideArrival> taken(std::make_move_iterator(others.begin()),
-                                         std::make_move_iterator(others.end()));
-  arrivals.erase(others.begin(), others.end());
-  return taken;
+  std::vector<sim::OutsideArrival> of_programs, others;
+  for (sim::OutsideArrival& one : arrivals) {
+    const bool is_of_programs =
+        one.door == network::kProgramsDoor || sim::agents::is_air_door(one.door);
+    (is_of_programs ? of_programs : others).push_back(std::move(one));
+  }
+  arrivals = std::move(others);
+  return of_programs;
 }
 
 }  // namespace

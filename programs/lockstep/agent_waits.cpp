@@ -120,9 +120,10 @@ void AgentWaits::release(std::size_t i) {
 }
 
 /// A thread that says that it runs, and sleeps, is in a call of which the library does not know
-/// that it waits.
+/// that it waits. For a short while that may be a lock inside the C library, whose owner is about
+/// to give it back: a thread that begins or ends.
 void AgentWaits::look_at_running(std::size_t i) {
-  constexpr std::int64_t kSure = 300 * kMicrosecond;
+  constexpr std::int64_t kSure = 200 * kMillisecond;
   Thread& thread = threads_[i];
   const SlotState before = slot(i).state.load();
   const KernelState state = look(i);

@@ -60,6 +60,24 @@ pid_t innermost_number(const std::filesystem::path& task) {
   return 0;
 }
 
+/// The first task in a folder of /proc for which this holds; 0: there is none, or no such folder. A
+/// folder that changes while it is read is read again.
+template <class Holds>
+pid_t first_task(const std::filesystem::path& folder, const Holds& holds) {
+  constexpr int kTries = 5;
+  for (int tries = 0; tries < kTries; ++tries) {
+    std::error_code error;
+    std::filesystem::directory_iterator entry(folder, error);
+    if (error) return 0;
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+      const auto number = number_of(entry->path());
+      if (number && holds(entry->path())) return *number;
+    }
+    if (!error) return 0;
+  }
+  return 0;
+}
+
 }  // namespace
 
 KernelThread::KernelThread(pid_t process, pid_t thread)
@@ -101,31 +119,25 @@ std::string KernelThread::call() const {
 pid_t AgentTasks::outside(pid_t process) {
   pid_t& known = outside_[process];
   if (known != 0) return known;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
-    const auto number = number_of(entry.path());
+  const auto is_it = [&](const std::filesystem::path& task) {
     struct stat space {};
-    if (!number || stat((entry.path() / "ns/pid").c_str(), &space) != 0) continue;
-    if (space.st_ino == processes_ && innermost_number(entry.path()) == process) {
-      known = *number;
-      return known;
-    }
-  }
-  outside_.erase(process);
-  return 0;
+    return stat((task / "ns/pid").c_str(), &space) == 0 && space.st_ino == processes_ &&
+           innermost_number(task) == process;
+  };
+  known = first_task("/proc", is_it);
+  const pid_t found = known;
+  if (found == 0) outside_.erase(process);
+  return found;
 }
 
 KernelThread AgentTasks::find(pid_t process, pid_t thread) {
   const pid_t number = outside(process);
   if (number == 0) return {};
-  std::error_code error;
-  for (const auto& task :
-       std::filesystem::directory_iterator(fmt::format("/proc/{}/task", number), error)) {
-    const auto one = number_of(task.path());
-    if (one && innermost_number(task.path()) == thread) return {number, *one};
-  }
-  if (error) forget(process);
-  return {};
+  const pid_t found = first_task(
+      fmt::format("/proc/{}/task", number),
+      [&](const std::filesystem::path& task) { return innermost_number(task) == thread; });
+  if (found == 0) forget(process);  // its number may be another one's by now
+  return found == 0 ? KernelThread() : KernelThread(number, found);
 }
 
 }  // namespace programs::lockstep
