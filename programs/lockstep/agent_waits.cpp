@@ -326,20 +326,25 @@ std::optional<std::int64_t> AgentWaits::deadline() const {
   return earliest;
 }
 
-bool AgentWaits::waits_for_room() const {
+bool AgentWaits::is_one_waiting(std::uint64_t object) const {
   return std::any_of(page_.slots.begin(), page_.slots.begin() + static_cast<std::ptrdiff_t>(used()),
-                     [](const WaitSlot& one) {
-                       return one.object.load() == netns::kRoomObject &&
+                     [object](const WaitSlot& one) {
+                       return one.object.load() == object &&
                               one.state.load() == SlotState::kWaiting;
                      });
 }
 
-void AgentWaits::wake_for_room() {
+bool AgentWaits::wake_for_room() {
+  bool is_one = false;
   for (std::size_t i = 0; i < used(); ++i) {
     WaitSlot& one = slot(i);
-    if (one.object.load() == netns::kRoomObject && one.state.load() == SlotState::kWaiting)
-      one.state = SlotState::kWants;
+    const bool waits =
+        one.object.load() == netns::kRoomObject && one.state.load() == SlotState::kWaiting;
+    if (!waits) continue;
+    one.state = SlotState::kWants;
+    is_one = true;
   }
+  return is_one;
 }
 
 void AgentWaits::let_go() {

@@ -56,8 +56,11 @@ class AgentWaits {
   std::optional<std::int64_t> deadline() const;
 
   /// Whether threads wait for room in the station's queue; and makes them go on.
-  bool waits_for_room() const;
-  void wake_for_room();
+  bool waits_for_room() const { return is_one_waiting(netns::kRoomObject); }
+  /// @return whether there were any.
+  bool wake_for_room();
+  /// Whether threads wait until the kernel takes what they send or write.
+  bool waits_to_send() const { return is_one_waiting(netns::kSendingObject); }
 
   /// The run is over: nobody waits for a turn any more, so that programs can end.
   void let_go();
@@ -86,6 +89,7 @@ class AgentWaits {
 
   netns::WaitSlot& slot(std::size_t i) { return page_.slots[i]; }
   std::size_t used() const { return page_.used.load(); }
+  bool is_one_waiting(std::uint64_t object) const;
   KernelState look(std::size_t i);
   bool is_one_running(std::uint32_t seen);
   void look_at_running(std::size_t i);

@@ -22,7 +22,7 @@ std::int64_t monotonic() {
 
 }  // namespace
 
-bool RoomPage::publish(std::uint64_t sent, std::uint32_t room, std::uint32_t capacity) {
+std::uint64_t RoomPage::announce(std::uint64_t sent, std::uint32_t room, std::uint32_t capacity) {
   capacity_.store(capacity, std::memory_order_relaxed);
   const std::uint64_t limit = sent + room;
   // A sender that was given up has finished after all: count its places as reserved, too.
@@ -35,7 +35,11 @@ bool RoomPage::publish(std::uint64_t sent, std::uint32_t room, std::uint32_t cap
       syscall(SYS_futex, &change_, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
     }
   }
-  if (reserved <= sent) return false;
+  return reserved;
+}
+
+bool RoomPage::publish(std::uint64_t sent, std::uint32_t room, std::uint32_t capacity) {
+  if (announce(sent, room, capacity) <= sent) return false;
   give_up_the_dead(sent);
   return true;
 }

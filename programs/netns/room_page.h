@@ -63,6 +63,10 @@ class RoomPage {
   /// killed there is given up after 200 ms; a collector only if it has not called still_collects()
   /// in that time.
   bool publish(std::uint64_t sent, std::uint32_t room, std::uint32_t capacity);
+  /// The same in lock-step, where a sender may stand still for any time and nobody is given up.
+  void publish_held(std::uint64_t sent, std::uint32_t room, std::uint32_t capacity) {
+    announce(sent, room, capacity);
+  }
 
   /// Number of programs that have loaded the library since the run began.
   std::uint32_t loaded() const { return loaded_.load(std::memory_order_relaxed); }
@@ -125,6 +129,8 @@ class RoomPage {
   /// @}
 
  private:
+  /// @return reserved places before.
+  std::uint64_t announce(std::uint64_t sent, std::uint32_t room, std::uint32_t capacity);
   void give_up_the_dead(std::uint64_t sent);
 
   std::atomic<std::uint64_t> reserved_ = 0, sent_ = 0, limit_ = 0;

@@ -19,6 +19,10 @@ inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 /// makes it go on when there may be some.
 inline constexpr std::uint64_t kRoomObject = 2;
 
+/// The same of one that waits, in the kernel, until it can send or write: it can when the run has
+/// taken frames from the agent's interface.
+inline constexpr std::uint64_t kSendingObject = 5;
+
 /// What a slot of a WaitPage says of its thread. The thread itself writes it, except where noted.
 enum class SlotState : std::uint32_t {
   kFree,      ///< Names no thread. Written by the run.

@@ -35,6 +35,11 @@ constexpr timespec kNoTime{0, 0}, kLastStep{0, 1'000'000};
 /// at as often.
 constexpr Nanoseconds kLookForRoom = 1'000'000;
 
+bool is_to_send(const pollfd* descriptors, nfds_t count) {
+  return std::any_of(descriptors, descriptors + count,
+                     [](const pollfd& one) { return (one.events & POLLOUT) != 0; });
+}
+
 /// What is ready now, without sockets that have no room. @return as ppoll().
 int look(pollfd* descriptors, nfds_t count, bool& lacks_room) {
   const int ready = BARAKA_NEXT(ppoll)(descriptors, count, &kNoTime, nullptr);
@@ -77,7 +82,7 @@ int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline
     const sigset_t blocked = blocked_in_wait(signals);
     if (is_over() && deadline != kNever)
       return BARAKA_NEXT(ppoll)(descriptors, count, &kLastStep, &blocked);
-    KernelWait wait(deadline);
+    KernelWait wait(deadline, is_to_send(descriptors, count) ? netns::kSendingObject : 0);
     const int status = BARAKA_NEXT(ppoll)(descriptors, count, nullptr, &blocked);
     wait.end();
     if (status < 0 && !(errno == EINTR && wait.has_expired())) return -1;
@@ -128,7 +133,7 @@ class Selection {
       asked_.clear(sets_);
       return BARAKA_NEXT(ppoll)(nullptr, 0, &kLastStep, &blocked) == 0;
     }
-    KernelWait wait(deadline);
+    KernelWait wait(deadline, sets_.writable != nullptr ? netns::kSendingObject : 0);
     const int status = select_now(nullptr, &blocked);
     wait.end();
     return status >= 0 || (errno == EINTR && wait.has_expired());
@@ -149,7 +154,8 @@ int wait_for_epoll(int epoll, epoll_event* events, int most, Nanoseconds deadlin
   for (;;) {
     const int ready = BARAKA_NEXT(epoll_wait)(epoll, events, most, 0);
     if (ready != 0) return ready;
-    pollfd one{epoll, POLLIN, 0};
+    // It may be waiting to send as well, of which its descriptor does not tell.
+    pollfd one{epoll, POLLIN | POLLOUT, 0};
     const int status = wait_for_descriptors(&one, 1, deadline, signals);
     if (status <= 0) return status;
   }

@@ -310,8 +310,9 @@ unsigned wake(std::uint64_t object, unsigned most) {
   return woken;
 }
 
-KernelWait::KernelWait(Nanoseconds deadline) : slot_(*own_slot()) {
+KernelWait::KernelWait(Nanoseconds deadline, std::uint64_t object) : slot_(*own_slot()) {
   start_to_wait(slot_);
+  slot_.object.store(object);
   publish(slot_, WaitKind::kInKernel, deadline);
 }
 

@@ -66,7 +66,8 @@ unsigned wake(std::uint64_t object, unsigned most);
 ///   if (wait.has_expired()) …
 class KernelWait {
  public:
-  explicit KernelWait(Nanoseconds deadline);
+  /// @param object  0, or netns::kSendingObject.
+  explicit KernelWait(Nanoseconds deadline, std::uint64_t object = 0);
   ~KernelWait() { end(); }
   KernelWait(const KernelWait&) = delete;
   KernelWait& operator=(const KernelWait&) = delete;

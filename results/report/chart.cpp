@@ -131,8 +131,9 @@ class ChartDrawing {
 
   Frame frame_of(std::size_t i) const {
     const double left = std::floor(cell_width_ * static_cast<double>(i % chart_.columns)) + left_;
-    const double top = std::floor(cell_height_ * static_cast<double>(i / chart_.columns)) + kEdge +
-                       title_height_ + legend_height_;
+    const std::size_t row = i / chart_.columns;
+    const double top = std::floor(cell_height_ * static_cast<double>(row)) + kEdge + title_height_ +
+                       legend_height_;
     Frame frame{panels_[i].limits.x, panels_[i].limits.y};
     frame.x.from = left;
     frame.x.to = left + width_;

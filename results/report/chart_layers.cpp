@@ -122,8 +122,8 @@ void LayerDrawing::operator()(const Chart::Marks& marks) {
   for (std::size_t i = 0; i < marks.x.size(); ++i) {
     if (!counts_as_shown(marks.x[i], marks.y[i])) continue;
     if (!marks.low.empty()) draw_interval(marks.x[i], marks.low[i], marks.high[i]);
-    out_.point(frame_.x.at(marks.x[i]), frame_.y.at(marks.y[i]), marks.symbol, {}, marks.scale,
-               marks.style.opacity);
+    out_.point(frame_.x.at(marks.x[i]), frame_.y.at(marks.y[i]), marks.symbol, {},
+               {marks.scale, marks.style.opacity});
   }
   out_.close();
 }

@@ -149,11 +149,10 @@ void Drawing::bin(const Box& box, double opacity, const Tip& tip) {
          tip.attributes, box.left, box.top, box.width, box.height, opacity, escaped(tip.title));
 }
 
-void Drawing::point(double x, double y, const Symbol& symbol, const Tip& tip, double scale,
-                    double opacity) {
+void Drawing::point(double x, double y, const Symbol& symbol, const Tip& tip, const Look& look) {
   append(text_, "<path class=\"point\"{} {}{} transform=\"translate({:.2f},{:.2f}){}\" d=\"{}\"",
-         tip.attributes, paint_of(symbol), opacity_attribute(opacity), x, y,
-         scale == 1 ? "" : fmt::format(" scale({:g})", scale), symbol.path);
+         tip.attributes, paint_of(symbol), opacity_attribute(look.opacity), x, y,
+         look.scale == 1 ? "" : fmt::format(" scale({:g})", look.scale), symbol.path);
   if (tip.title.empty()) {
     text_ += "/>\n";
   } else {

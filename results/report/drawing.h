@@ -92,8 +92,10 @@ class Drawing {
   void line(const std::string& path, const Stroke& stroke);
   void area(const std::string& path, double opacity);
   void bin(const Box& box, double opacity, const Tip& tip);
-  void point(double x, double y, const Symbol& symbol, const Tip& tip, double scale = 1,
-             double opacity = 1);
+  struct Look {
+    double scale = 1, opacity = 1;
+  };
+  void point(double x, double y, const Symbol& symbol, const Tip& tip, const Look& look);
   /// An interval of y with caps of 8 px, from one position to the other; without those at ends
   /// that are cut off.
   void interval(double x, double low, double high, bool low_cap = true, bool high_cap = true);

@@ -156,7 +156,8 @@ class PlotDrawing {
       out_.point(
           x, frame_.y.at(mark.y), symbol_of(i),
           {fmt::format(" data-x=\"{}\" data-y=\"{}\" data-runs=\"{}\"", mark.x, mark.y, mark.count),
-           title_of(curve, mark)});
+           title_of(curve, mark)},
+          {});
     }
     out_.close();
   }

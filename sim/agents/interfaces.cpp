@@ -149,14 +149,12 @@ void Interfaces::set_turn(AgentInterface& one, hal::Time at) {
 void Interfaces::take_turn(std::size_t i) {
   AgentInterface& one = interfaces_[i];
   const hal::Time now = home_.events.now();
-  bool has_waited = false;
   do {
     const bool goes_on = programs_->go_on(
         one.agent, now, [&](std::span<const std::uint8_t> frame) { arrive(one.door, frame); });
     if (!goes_on) return home_.break_off();
-    has_waited = programs_->waits_for_room(one.agent) && one.interface->room() > 0;
     tell_room(one);
-  } while (has_waited);
+  } while (programs_->has_woken(one.agent));
   const auto next = programs_->deadline(one.agent);
   if (next) set_turn(one, std::max(*next, now + hal::Duration{1}));
 }

@@ -30,6 +30,8 @@ class HeldPrograms {
 
   /// Whether one of them waits for room in the queue of the agent's station.
   virtual bool waits_for_room(hal::AgentId agent) const = 0;
+  /// Whether the last FrameSink::on_room() has made one of them want to go on.
+  virtual bool has_woken(hal::AgentId agent) const = 0;
 
   /// The earliest deadline of their waits; none: they wait for others only.
   virtual std::optional<hal::Time> deadline(hal::AgentId agent) const = 0;

@@ -49,18 +49,18 @@ void LockstepBridge::on_frame(hal::AgentId agent, hal::Time at,
 
 void LockstepBridge::on_room(hal::AgentId agent, const Room& room) {
   AgentPrograms& one = of(agent);
-  one.station.room->publish(one.sent, frame_count(room.free),
-                            std::max<std::uint32_t>(1, frame_count(room.capacity)));
-  if (room.free > 0) one.waits.wake_for_room();
+  one.station.room->publish_held(one.sent, frame_count(room.free),
+                                 std::max<std::uint32_t>(1, frame_count(room.capacity)));
+  one.has_woken = one.station.room->has_room(1) && one.waits.wake_for_room();
 }
 
-void LockstepBridge::drain(AgentPrograms& one, std::int64_t now,
+bool LockstepBridge::drain(AgentPrograms& one, std::int64_t now,
                            const std::function<void(std::span<const std::uint8_t>)>& take) {
   one.sent = one.station.room->sent();
-  for (;;) {
+  for (bool is_one = false;; is_one = true) {
     const ssize_t length = ::read(one.station.tap, buffer_.data(), buffer_.size());
     if (length < 0 && errno == EINTR) continue;
-    if (length < 0 && errno == EAGAIN) return;
+    if (length < 0 && errno == EAGAIN) return is_one;
     if (length <= 0) {
       throw std::runtime_error(
           fmt::format("the interface of an agent is gone: {}", std::strerror(errno)));
@@ -76,9 +76,11 @@ bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
   AgentPrograms& one = of(agent);
   one.waits.set_time(nanoseconds(now));
   one.waits.expire();
-  const bool goes_on = one.waits.settle();
   one.kernel.repeat(nanoseconds(now), take);
-  drain(one, nanoseconds(now), take);
+  // What is taken from the interface makes room in the sockets that it came from.
+  bool goes_on = one.waits.settle();
+  while (goes_on && drain(one, nanoseconds(now), take) && one.waits.waits_to_send())
+    goes_on = one.waits.settle();
   const std::size_t ended = one.waits.take_ended().size();
   if (ended > 0) programs_.on_ended(agent, now, ended);
   return goes_on;

@@ -45,6 +45,7 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
   bool go_on(hal::AgentId agent, hal::Time now,
              const std::function<void(std::span<const std::uint8_t>)>& take) override;
   bool waits_for_room(hal::AgentId agent) const override;
+  bool has_woken(hal::AgentId agent) const override { return of(agent).has_woken; }
   std::optional<hal::Time> deadline(hal::AgentId agent) const override;
 
   programs::lockstep::AgentWaits& waits(hal::AgentId agent) { return of(agent).waits; }
@@ -67,11 +68,13 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
     programs::lockstep::AgentWaits waits;
     programs::lockstep::KernelFrames kernel;
     std::uint64_t sent = 0;  ///< RoomPage::sent() before the TAP was last seen empty.
+    bool has_woken = false;
   };
 
   AgentPrograms& of(hal::AgentId agent);
   const AgentPrograms& of(hal::AgentId agent) const;
-  void drain(AgentPrograms& one, std::int64_t now,
+  /// @return whether there were frames.
+  bool drain(AgentPrograms& one, std::int64_t now,
              const std::function<void(std::span<const std::uint8_t>)>& take);
 
   std::vector<std::unique_ptr<AgentPrograms>> all_;  ///< By address.
