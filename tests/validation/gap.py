@@ -40,7 +40,7 @@ def bridge_the_gap(runs):
     panel = Panel(x=axis("time, s"), y=axis("share of the reports of m3, m4, m5 delivered", limits=(-0.03, 1.03)))
     end = [{"at": "220 s", "result": "done"}]
     for curve, (name, settings) in enumerate((("two robots", {}), ("both without energy", {
-            "agents.rested.controller.parameters": {"reserve": 1}, "agents.tired.controller.parameters": {"reserve": 1}}))):
+            "agents.rested.controller.parameters": {"reserve": "1 J"}, "agents.tired.controller.parameters": {"reserve": "1 J"}}))):
         run = runs.play(SCENARIOS / "bridge_the_gap.yaml", {"end": end, "expect": [], **settings})
         sent = reports(run, ("m3", "m4", "m5"))
         points = {}
