@@ -10,7 +10,7 @@ import textwrap
 import unittest
 
 import wire
-from baraka import BIN, ROOT, Case
+from baraka import BIN, ROOT, Case, send, wait_for
 
 REFUSED = wire.why_not()
 WAITS = BIN.parent / "tests/lockstep_waits"
@@ -185,6 +185,19 @@ class Refused(Held):
     def test_controllers_inside_their_agents_need_real_time_still(self):
         finished = self.run_held(ROOT / "config/scenarios/teleop_behind_a_wall.yaml", status=2)
         self.assertRegex(finished.err, "--pace: lockstep: the controllers of .* run inside their agents")
+
+    def test_a_wait_that_nobody_knows_fails_the_run_by_name(self):
+        words = ["sh", "-c", "flock /tmp/f sleep 2 & sleep 0.1; flock /tmp/f true"]
+        finished = self.run_held(scenario(self.folder, {"a": [("lock", words, ", on_exit: end")]}), status=1)
+        self.assertRegex(finished.err, r"error: a: flock waits in system call \d+ \(wchan \w+\), of which lock-step does not know")
+
+    def test_a_program_that_never_waits_is_named(self):
+        file = scenario(self.folder, {"a": [("busy", [PYTHON, "-c", "while True: pass"], "")]})
+        run = self.start(file, "--pace", "lockstep", "--no-inspect")
+        log = self.out / "run.log"
+        wait_for(lambda: log.exists() and "a: python3 has run for 4 s without waiting" in log.read_text(encoding="utf-8"))
+        send(run.process.pid, "SIGINT")
+        self.assertLess(float(run.finish()["simulated_s"]), 0.01, "virtual time stood")
 
     def test_a_thread_that_is_made_past_the_c_library_is_refused_to_the_program(self):
         """Nobody would know of it."""

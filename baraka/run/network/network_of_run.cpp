@@ -125,16 +125,15 @@ void NetworkOfRun::note_begin(hal::Clock& wall) {
 
 LockstepBridge::Station NetworkOfRun::station(std::size_t i, pace::WallPace& pace) {
   const std::string& name = names_[i];
-  return {
-      .agent = agents_[i],
-      .tap = namespaces_->tap(i),
-      .room = &namespaces_->room(i),
-      .waits = &namespaces_->waits(i),
-      .settings = {
-          .agent = name,
-          .processes = namespaces_->processes(i),
-          .may_go_on = [&pace] { return !pace.is_broken_off(); },
-          .warn = [name](const std::string& what) { hal::log::warning({}, name, "{}", what); }}};
+  return {.agent = agents_[i],
+          .tap = namespaces_->tap(i),
+          .room = &namespaces_->room(i),
+          .waits = &namespaces_->waits(i),
+          .settings = {
+              .agent = name,
+              .processes = namespaces_->processes(i),
+              .may_go_on = [&pace] { return !pace.is_broken_off(); },
+              .warn = [](const std::string& what) { hal::log::warning({}, "run", "{}", what); }}};
 }
 
 void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& pace) {
