@@ -18,13 +18,13 @@
 namespace programs::lockstep {
 namespace {
 
+using netns::kEndWait;
 using netns::SlotState;
 using netns::WaitKind;
 using netns::WaitPage;
 using netns::WaitSlot;
 
 constexpr std::int64_t kMicrosecond = 1000, kMillisecond = 1'000'000, kSecond = 1'000'000'000;
-constexpr int kEndWait = 63;  // programs/waits/turn.h
 
 std::int64_t wall_time() {
   timespec now{};

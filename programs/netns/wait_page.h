@@ -12,6 +12,9 @@ namespace programs::netns {
 /// for it in its agent's WaitPage.
 inline constexpr const char* kSlotVariable = "BARAKA_SLOT";
 
+/// The signal by which the run ends a wait in the kernel whose deadline has come.
+inline constexpr int kEndWait = 63;
+
 /// A deadline that never comes.
 inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 

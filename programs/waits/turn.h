@@ -7,6 +7,7 @@
 
 namespace programs::waits {
 
+using netns::kEndWait;
 using netns::kNever;
 using netns::SlotState;
 using netns::WaitKind;
@@ -86,8 +87,5 @@ bool sleep_until(Nanoseconds until);
 /// Counts looks at the clock, or without waiting at descriptors: a thread that does nothing else
 /// would keep virtual time from passing, so after many of them it sleeps for a short while.
 void count_look(unsigned weight);
-
-/// The signal by which the run ends a KernelWait whose deadline has come.
-inline constexpr int kEndWait = 63;
 
 }  // namespace programs::waits

@@ -167,6 +167,15 @@ class Repeatable(Held):
         self.assertNotEqual(other[0], first[0])
         self.assertNotEqual(other[1]["a", "py"], first[1]["a", "py"])
 
+    def test_tcp_is_flagged(self):
+        server = "import socket\ns = socket.create_server(('', 80))\nc, _ = s.accept()\nc.sendall(c.recv(100))"
+        client = ("import socket, time\ntime.sleep(0.1)\ns = socket.create_connection(('10.77.0.2', 80), 5)\n"
+                  "s.sendall(b'x')\nprint(s.recv(100))")
+        finished = self.run_held(scenario(self.folder, {"a": [("client", [PYTHON, "-c", client], ", on_exit: end")],
+                                                        "b": [("server", [PYTHON, "-c", server], "")]}))
+        self.assertEqual(self.log("a", "client"), "b'x'\n")
+        self.assertIn("programs used TCP in lock-step: its timers are the kernel's", finished.err)
+
     def test_an_hour_of_idle_stations_takes_seconds(self):
         programs = [("wait", ["sh", "-c", "while sleep 60; do date; done"], "")]
         finished = self.run_held(scenario(self.folder, {"a": programs, "b": programs}), "--set", "end.0.at=1 h")

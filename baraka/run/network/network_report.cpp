@@ -125,9 +125,9 @@ std::vector<std::string> held_network_warnings(const sim::agents::AirSummary& ai
   add_losses(network, lines);
   if (air.has_seen_tcp) {
     lines.push_back(
-        "programs used TCP in lock-step: its timers are the kernel's and follow the wall clock, so "
-        "a "
-        "lost segment is sent again at no time of this run, and equal runs need not have equal "
+        "programs used TCP in lock-step: its timers are the kernel's and follow the wall clock: "
+        "when "
+        "a lost segment is sent again depends on this computer, and equal runs need not have equal "
         "frames; take --pace realtime for it");
   }
   if (network.lockstep && network.lockstep->counts.unknown > 0) {
