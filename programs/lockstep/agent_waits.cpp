@@ -226,8 +226,14 @@ bool AgentWaits::are_all_asleep() {
   for (std::size_t i = 0; i < used(); ++i) {
     const WaitSlot& one = slot(i);
     if (one.state.load() != SlotState::kWaiting) continue;
-    if (one.kind.load() == WaitKind::kParked && !looks_at_parked) continue;
-    are_all = is_asleep(i) && are_all;
+    const std::uint64_t ticket = one.ticket.load();
+    const bool is_known = threads_[i].ticket == ticket && !looks_at_parked;
+    if (one.kind.load() == WaitKind::kParked && is_known) continue;
+    if (is_asleep(i)) {
+      threads_[i].ticket = ticket;
+    } else {
+      are_all = false;
+    }
   }
   return are_all;
 }

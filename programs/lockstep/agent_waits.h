@@ -81,7 +81,10 @@ class AgentWaits {
  private:
   struct Thread {
     KernelThread kernel;
-    pid_t number = 0;               ///< Inside, of whom `kernel` is.
+    pid_t number = 0;  ///< Inside, of whom `kernel` is.
+    /// Of the last wait in which the kernel said that it sleeps. Before that, a handler of a signal
+    /// would run ahead of the wait that it is to interrupt.
+    std::uint64_t ticket = 0;
     std::int64_t asleep_since = 0;  ///< Wall time, ns: in an unknown call; 0: it is not.
     bool is_in_unknown_call = false;
     bool is_program = false;  ///< Reserved for a program of the scenario.

@@ -54,7 +54,7 @@ struct alignas(64) WaitSlot {
   std::atomic<std::int64_t> deadline;  ///< Virtual time, ns; kNever: none.
   std::atomic<std::int64_t> interval;  ///< kTimer: ns; 0: it expires once.
   std::atomic<std::uint64_t> object;  ///< kParked: what it waits for; see programs/waits/parking.h.
-  std::atomic<std::uint64_t> ticket;  ///< kParked: the earlier the wait, the lower.
+  std::atomic<std::uint64_t> ticket;  ///< kParked: the earlier the wait, the lower; not 0.
   std::atomic<std::int32_t> descriptor;  ///< kTimer: of an eventfd to be written; -1: none.
   std::atomic<std::int32_t> signal;      ///< kTimer: to be sent; 0: none.
   std::atomic<std::uint32_t> readings;   ///< Of the clock since its last wait: see WaitPage.

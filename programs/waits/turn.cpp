@@ -268,7 +268,7 @@ Woken park(std::uint64_t object, Nanoseconds deadline) {
   WaitSlot& slot = *own_slot();
   start_to_wait(slot);
   slot.object.store(object);
-  slot.ticket.store(shared->tickets.fetch_add(1));
+  slot.ticket.store(shared->tickets.fetch_add(1) + 1);
   parked_like(object).fetch_add(1);
   publish(slot, WaitKind::kParked, deadline);
   const Woken woken = wait_parked(slot);
