@@ -86,6 +86,11 @@ class Waits(Held):
         begin, end = map(int, self.log("a", "date").split())
         self.assertEqual((begin, end), (1767225600, 1767229200))
 
+    @unittest.skipIf(len(os.sched_getaffinity(0)) == 1, "needs two processors")
+    def test_programs_have_one_processor(self):
+        self.run_held(scenario(self.folder, {"a": [("count", ["nproc"], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "count").strip(), "1")
+
 
 @unittest.skipIf(REFUSED, REFUSED)
 class Exact(Held):

@@ -46,6 +46,12 @@ void go_before_others(bool before) {
                              &parameters);
 }
 
+/// A thread of a program that makes this one go on is about to wait. It does so first.
+void let_others_finish() {
+  const sched_param parameters{};
+  (void)::sched_setscheduler(0, SCHED_BATCH, &parameters);
+}
+
 programs::netns::Settings settings_of(const sim::scenario::Scenario& scenario,
                                       const programs::netns::ProgramTime& time,
                                       const std::filesystem::path& folder) {
@@ -92,7 +98,9 @@ NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario,
   }
   programs::netns::Settings settings = settings_of(scenario, time, results_());
   settings.shown = {std::filesystem::absolute(file).parent_path()};
+  if (time.is_held) use_of_processor_.emplace(processor_.emplace());
   namespaces_.emplace(settings);
+  use_of_processor_.reset();
   const std::string& why = namespaces_->why_only_user_0();
   if (why.empty()) return;
   fmt::print(stderr,
@@ -152,6 +160,9 @@ void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& 
                                .on_ended = [this](hal::AgentId, hal::Time now,
                                                   std::size_t count) { await_ended(now, count); }});
   simulation.connect_air(*lockstep_, *lockstep_);
+  use_of_processor_.emplace(*processor_);
+  ::prctl(PR_SET_TIMERSLACK, kTimerSlack, 0, 0, 0);
+  let_others_finish();
   note_begin(pace.clock());
 }
 
@@ -246,6 +257,7 @@ NetworkSummary NetworkOfRun::finish() {
     hal::log::warning({}, "run", "{}", e.what());  // the namespaces are gone
   }
   summary.programs = programs_.rows();
+  use_of_processor_.reset();
   if (lockstep_) lockstep_->let_go();
   namespaces_.reset();
   return summary;

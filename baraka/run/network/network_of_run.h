@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "baraka/run/network/lockstep_bridge.h"
+#include "baraka/run/network/processor.h"
 #include "baraka/run/network/programs_of_run.h"
 #include "baraka/run/network/tap_bridge.h"
 #include "baraka/run/pace/background_work.h"
@@ -98,8 +99,10 @@ class NetworkOfRun final : private pace::BackgroundWork {
 
   const sim::scenario::Scenario& scenario_;
   std::function<std::filesystem::path()> results_;
-  std::vector<hal::AgentId> agents_;  ///< In the order of the namespaces.
-  std::vector<std::string> names_;    ///< Of the agents.
+  std::vector<hal::AgentId> agents_;    ///< In the order of the namespaces.
+  std::vector<std::string> names_;      ///< Of the agents.
+  std::optional<Processor> processor_;  ///< In lock-step.
+  std::optional<Processor::Use> use_of_processor_;
   std::optional<programs::netns::Namespaces> namespaces_;
   ProgramsOfRun programs_;
   sim::agents::Simulation* simulation_ = nullptr;
