@@ -67,9 +67,9 @@ const Code& own_code() {
   return code;
 }
 
-/// As the kernel takes it; the C library would put its own restorer into it.
+/// As the kernel takes it; the C library puts its own restorer into it.
 struct KernelAction {
-  void (*handler)(int, siginfo_t*, void*);
+  SignalHandler handler;
   unsigned long flags;
   void (*restorer)();
   std::uint64_t mask;
@@ -105,6 +105,18 @@ long set_mask(ucontext_t& context, const Arguments& a) {
   return 0;
 }
 
+constexpr unsigned long kRestorer = 0x04000000;  // SA_RESTORER
+
+/// The C library's way back from a handler is a system call as well, which must not be caught: the
+/// frame of the handler of SIGSYS would be taken for that of the program's handler.
+long set_action(const Arguments& a) {
+  if (a[0] == SIGSYS || a[0] == kEndWait) return 0;
+  KernelAction action = *pointer<const KernelAction>(a[1]);
+  if ((action.flags & kRestorer) != 0) action.restorer = return_from_handler;
+  return kernel_call(SYS_rt_sigaction,
+                     {a[0], reinterpret_cast<long>(&action), a[2], a[3], a[4], a[5]});
+}
+
 long as_kernel(long result) { return result == -1 ? -errno : result; }
 
 long answer_caught(ucontext_t& context) {
@@ -115,9 +127,7 @@ long answer_caught(ucontext_t& context) {
       static_cast<long>(registers[REG_RDX]), static_cast<long>(registers[REG_R10]),
       static_cast<long>(registers[REG_R8]),  static_cast<long>(registers[REG_R9])};
   if (number == SYS_rt_sigprocmask) return set_mask(context, arguments);
-  const bool is_ours =
-      number == SYS_rt_sigaction && (arguments[0] == SIGSYS || arguments[0] == kEndWait);
-  if (is_ours && arguments[1] != 0) return 0;
+  if (number == SYS_rt_sigaction && arguments[1] != 0) return set_action(arguments);
   return as_kernel(answer(number, arguments));
 }
 
@@ -146,15 +156,15 @@ long kernel_call(long number, const Arguments& a) {
   return result;
 }
 
+void set_handler(int signal, SignalHandler handler) {
+  const KernelAction action{handler, SA_SIGINFO | SA_NODEFER | kRestorer, return_from_handler, 0};
+  kernel_call(SYS_rt_sigaction,
+              {signal, reinterpret_cast<long>(&action), 0, sizeof action.mask, 0, 0});
+}
+
 void catch_system_calls() {
   static std::atomic<bool> has_handler = false;
-  if (!has_handler.exchange(true)) {
-    constexpr unsigned long kRestorer = 0x04000000;  // SA_RESTORER
-    const KernelAction action{on_system_call, SA_SIGINFO | SA_NODEFER | kRestorer,
-                              return_from_handler, 0};
-    kernel_call(SYS_rt_sigaction,
-                {SIGSYS, reinterpret_cast<long>(&action), 0, sizeof action.mask, 0, 0});
-  }
+  if (!has_handler.exchange(true)) set_handler(SIGSYS, on_system_call);
   const std::uint64_t signal = bit_of(SIGSYS);
   kernel_call(SYS_rt_sigprocmask,
               {SIG_UNBLOCK, reinterpret_cast<long>(&signal), 0, sizeof signal, 0, 0});

@@ -113,7 +113,7 @@ WaitSlot* reserved_slot() {
   return slot.state.load() == SlotState::kExpected ? &slot : nullptr;
 }
 
-void on_end_of_wait(int) {}
+void on_end_of_wait(int, siginfo_t*, void*) {}
 
 std::atomic<std::uint32_t>& parked_like(std::uint64_t object) {
   constexpr std::uint64_t kMix = 0x9e37'79b9'7f4a'7c15;
@@ -138,9 +138,7 @@ __attribute__((constructor(101))) void register_process() {
   map_page();
   if (shared == nullptr) return;
   pthread_key_create(&end_of_thread, on_end_of_thread);
-  struct sigaction action {};
-  action.sa_handler = on_end_of_wait;
-  BARAKA_NEXT(sigaction)(kEndWait, &action, nullptr);
+  set_handler(kEndWait, on_end_of_wait);
   if (WaitSlot* const reserved = reserved_slot(); reserved != nullptr) return adopt(*reserved);
   if (WaitSlot* const kept = slot_of_this_thread(); kept != nullptr) {
     free_other_slots(*kept);
