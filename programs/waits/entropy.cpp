@@ -10,6 +10,7 @@
 
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -38,16 +39,25 @@ bool is_random_device(const char* path) {
          (std::strcmp(path, "/dev/urandom") == 0 || std::strcmp(path, "/dev/random") == 0);
 }
 
-/// A file in memory with more than anybody reads of such a device.
-int open_drawn(int flags) {
-  constexpr std::size_t kBytes = 65'536, kAtATime = 4096;
-  const unsigned kept = (flags & O_CLOEXEC) != 0 ? MFD_CLOEXEC : 0;
-  const int file = memfd_create("random", kept);
+/// By which the files below are known: no other file in memory has this seal alone.
+constexpr int kSeal = F_SEAL_SHRINK;
+
+void fill(int file) {
+  constexpr std::size_t kBytes = 16'384, kAtATime = 4096;
   std::array<std::uint8_t, kAtATime> bytes{};
-  for (std::size_t done = 0; file >= 0 && done < kBytes; done += kAtATime) {
+  for (std::size_t done = 0; done < kBytes; done += kAtATime) {
     draw(bytes.data(), bytes.size());
     (void)!pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(done));
   }
+}
+
+/// A file in memory, which is_refilled() makes endless.
+int open_drawn(int flags) {
+  const unsigned kept = (flags & O_CLOEXEC) != 0 ? MFD_CLOEXEC : 0;
+  const int file = memfd_create("random", kept | MFD_ALLOW_SEALING);
+  if (file < 0) return file;
+  fill(file);
+  fcntl(file, F_ADD_SEALS, kSeal);
   return file;
 }
 
@@ -63,6 +73,15 @@ std::uint64_t draw() {
     state = mixed(page()->seed.load() + kStep * (page()->drawn.fetch_add(1) + 1));
   }
   return mixed(state.fetch_add(kStep) + kStep);
+}
+
+bool is_refilled(int descriptor) {
+  const int kept = errno;
+  const bool is_drawn = fcntl(descriptor, F_GET_SEALS) == kSeal;
+  errno = kept;
+  if (!is_drawn) return false;
+  fill(descriptor);
+  return lseek(descriptor, 0, SEEK_SET) == 0;
 }
 
 void draw(void* bytes, std::size_t count) {

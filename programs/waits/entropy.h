@@ -16,4 +16,8 @@ void draw(void* bytes, std::size_t count);
 /// The next draw() begins anew: in a process that fork() has made.
 void draw_anew();
 
+/// Whether a file at whose end a program is stands for /dev/urandom: then it is at its beginning,
+/// and all of it is drawn anew.
+bool is_refilled(int descriptor);
+
 }  // namespace programs::waits

@@ -14,6 +14,7 @@
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
 #include "programs/waits/descriptors.h"
+#include "programs/waits/entropy.h"
 #include "programs/waits/ports.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -144,7 +145,11 @@ BARAKA_EXPORTED int recvmmsg(int socket, mmsghdr* messages, unsigned count, int 
 }
 
 BARAKA_EXPORTED ssize_t read(int descriptor, void* bytes, size_t length) {
-  return wait_until_readable(descriptor) ? BARAKA_NEXT(read)(descriptor, bytes, length) : -1;
+  if (!wait_until_readable(descriptor)) return -1;
+  const ssize_t got = BARAKA_NEXT(read)(descriptor, bytes, length);
+  const bool is_at_end = got == 0 && length > 0 && own_slot() != nullptr;
+  if (!is_at_end || !programs::waits::is_refilled(descriptor)) return got;
+  return BARAKA_NEXT(read)(descriptor, bytes, length);
 }
 
 BARAKA_EXPORTED ssize_t checked_read(int descriptor, void* bytes, size_t length, size_t size) {
