@@ -55,6 +55,9 @@ class AgentWaits {
   /// The earliest deadline; none: nothing is to come.
   std::optional<std::int64_t> deadline() const;
 
+  /// Differs from before if a thread has begun, gone on or waited in the meantime.
+  std::uint32_t changes() const { return page_.event.load(); }
+
   /// Whether threads wait for room in the station's queue; and makes them go on.
   bool waits_for_room() const { return is_one_waiting(netns::kRoomObject); }
   /// @return whether there were any.

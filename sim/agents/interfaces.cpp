@@ -133,6 +133,11 @@ void Interfaces::start_due() {
   schedule_start();
 }
 
+void Interfaces::serve_outsiders(hal::Time next) {
+  if (programs_ == nullptr) return;
+  programs_->find_changed([&](hal::AgentId agent) { set_turn(of(agent), next); });
+}
+
 /// An earlier turn than the one that is pending takes its place.
 void Interfaces::set_turn(AgentInterface& one, hal::Time at) {
   if (home_.events.is_pending(one.turn)) {

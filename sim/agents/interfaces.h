@@ -49,6 +49,9 @@ class Interfaces final : public air::InterfaceListener {
 
   /// In lock-step: lets the programs of all agents begin. @pre the clock shows the start.
   void start_programs();
+  /// In lock-step, between two instants: gives a turn at `next` to agents whose programs somebody
+  /// outside the run has started or made go on.
+  void serve_outsiders(hal::Time next);
   /// In lock-step: something comes from programs at this instant.
   void arrive(const std::string& door, std::span<const std::uint8_t> bytes);
   /// In a repetition of a run in lock-step: what came from its programs, in this order.

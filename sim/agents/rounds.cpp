@@ -260,14 +260,27 @@ bool Simulation::State::take_outside(hal::Time now) {
                       [this](const OutsideArrival& arrival) { observers.on_arrival(arrival); });
 }
 
+/// At once where the run is slow, else after several instants: most runs have no outsiders.
+void Simulation::State::serve_outsiders(hal::Time next) {
+  constexpr unsigned kInstants = 64;
+  if (instants_until_look > 0) {
+    --instants_until_look;
+    return;
+  }
+  instants_until_look = kInstants;
+  interfaces.serve_outsiders(next);
+}
+
 void Simulation::State::go_on(hal::Time next, Pace& pace) {
   switch (pace.may_go_on(next, {events.now(), events.executed(), controllers.exchanges()})) {
     case Pace::Verdict::kBreakOff:
       broken_off = true;
       return;
     case Pace::Verdict::kAskAgain:
+      instants_until_look = 0;
       return on_failures(controllers.find_dead());
     case Pace::Verdict::kGoOn:
+      serve_outsiders(next);
       look_before(next);
       take_outside(next);
       work_off(next);

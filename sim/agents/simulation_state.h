@@ -74,6 +74,7 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   void drain(hal::AgentId agent, const Drain& drain);
   void jam(const Jam& interferer, hal::Time last);
   void on_failures(const std::vector<Controllers::Failure>& failures);
+  void serve_outsiders(hal::Time next);
   void go_on(hal::Time next, Pace& pace);
   /// Lets the sampler take the samples due before `next`. @pre no event is pending before `next`.
   void look_before(hal::Time next) {
@@ -109,6 +110,7 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   std::optional<hal::Time> until;
   std::optional<std::string> result;  ///< Set when the run has ended.
   std::string error;
+  unsigned instants_until_look = 0;  ///< See serve_outsiders().
   bool broken_off = false;
   Sampler* sampler = nullptr;
   hal::Time look_due = hal::Time::max();  ///< Time of the sampler's next sample.

@@ -28,6 +28,10 @@ class HeldPrograms {
   virtual bool go_on(hal::AgentId agent, hal::Time now,
                      const std::function<void(std::span<const std::uint8_t>)>& take) = 0;
 
+  /// Calls this for each agent of which a program has begun or gone on since its last turn, without
+  /// a frame: `baraka exec` started it, or somebody types at it.
+  virtual void find_changed(const std::function<void(hal::AgentId)>& found) = 0;
+
   /// Whether one of them waits for room in the queue of the agent's station.
   virtual bool waits_for_room(hal::AgentId agent) const = 0;
   /// Whether the last FrameSink::on_room() has made one of them want to go on.

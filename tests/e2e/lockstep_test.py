@@ -189,6 +189,39 @@ class Repeatable(Held):
 
 
 @unittest.skipIf(REFUSED, REFUSED)
+class Programs(Held):
+    def test_a_shell_handles_signals_of_its_children(self):
+        code = ("trap 'echo trapped; date +%s' USR1; (sleep 1; kill -USR1 $$) & sleep 2; wait; date +%s; "
+                "read -t 3 line < <(sleep 9); date +%s")
+        self.run_held(scenario(self.folder, {"a": [("shell", ["bash", "-c", code], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "shell").split(), ["trapped", "1767225602", "1767225602", "1767225605"])
+
+    def test_the_random_device_does_not_end(self):
+        code = "head -c 300000 /dev/urandom | tail -c 100000 | od -An -tx1 -v"
+        self.run_held(scenario(self.folder, {"a": [("random", ["sh", "-c", code], ", on_exit: end")]}))
+        drawn = self.log("a", "random").split()
+        self.assertEqual(len(drawn), 100000)
+        for begin in range(0, 100000, 10000):  # each byte value about as often as any other
+            self.assertGreater(len(set(drawn[begin:begin + 10000])), 250)
+        self.assertNotEqual(drawn[:16384], drawn[16384:32768])
+
+    def test_commands_of_others_run_in_agents_that_nothing_happens_to(self):
+        busy = [("loop", ["sh", "-c", "while sleep 0.01; do :; done"], "")]
+        file = scenario(self.folder, {"a": busy, "b": []})
+        run = self.start(file, "--pace", "lockstep", "--set", "end.0.at=100 h")
+        wait_for(lambda: (self.out / "run.log").exists())
+        said = subprocess.run([BIN / "baraka", "exec", "--run", self.out, "b", "--", "sh", "-c", "date +%s; sleep 9; date +%s; "
+                               "ping -c 1 a; exit 3"], capture_output=True, text=True, timeout=60, check=False)
+        send(run.process.pid, "SIGINT")
+        run.finish()
+        begin, end = map(int, said.stdout.split()[:2])
+        self.assertEqual(end - begin, 9)
+        self.assertLess(begin, 1767225600 + 100 * 3600)
+        self.assertIn("1 received", said.stdout)
+        self.assertEqual(said.returncode, 3)
+
+
+@unittest.skipIf(REFUSED, REFUSED)
 class Refused(Held):
     def test_a_program_that_cannot_be_held_is_refused_before_the_run(self):
         file = scenario(self.folder, {"a": [("still", [STILL], "")]})

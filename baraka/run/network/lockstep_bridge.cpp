@@ -81,9 +81,16 @@ bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
   bool goes_on = one.waits.settle();
   while (goes_on && drain(one, nanoseconds(now), take) && one.waits.waits_to_send())
     goes_on = one.waits.settle();
+  one.seen = one.waits.changes();
   const std::size_t ended = one.waits.take_ended().size();
   if (ended > 0) programs_.on_ended(agent, now, ended);
   return goes_on;
+}
+
+void LockstepBridge::find_changed(const std::function<void(hal::AgentId)>& found) {
+  for (const auto& one : all_) {
+    if (one->waits.changes() != one->seen) found(one->station.agent);
+  }
 }
 
 bool LockstepBridge::waits_for_room(hal::AgentId agent) const {

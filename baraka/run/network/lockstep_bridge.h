@@ -44,6 +44,7 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
   hal::AgentId start_next(hal::Time now) override { return programs_.start_next(now); }
   bool go_on(hal::AgentId agent, hal::Time now,
              const std::function<void(std::span<const std::uint8_t>)>& take) override;
+  void find_changed(const std::function<void(hal::AgentId)>& found) override;
   bool waits_for_room(hal::AgentId agent) const override;
   bool has_woken(hal::AgentId agent) const override { return of(agent).has_woken; }
   std::optional<hal::Time> deadline(hal::AgentId agent) const override;
@@ -69,6 +70,7 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
     programs::lockstep::KernelFrames kernel;
     std::uint64_t sent = 0;  ///< RoomPage::sent() before the TAP was last seen empty.
     bool has_woken = false;
+    std::uint32_t seen = 0;  ///< AgentWaits::changes() after the last turn.
   };
 
   AgentPrograms& of(hal::AgentId agent);
