@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -148,18 +149,28 @@ bool has_other_ends(const Scenario& scenario) {
 
 /// @param view  may pause the run; null: there is no view.
 pace::WallPace::Settings pace_of(const RunOptions& options, const Scenario& scenario,
-                                 std::size_t processes, Results& results, live::LiveView* view) {
+                                 std::size_t processes, Results& results,
+                                 const live::LiveView* view) {
   pace::WallPace::Settings settings{.max_speed = options.max_speed,
                                     .terminal = ::isatty(STDERR_FILENO) != 0,
                                     .processes = processes,
                                     .end = latest_end(options, scenario),
                                     .may_end_earlier = has_other_ends(scenario),
                                     .once_a_second = [&results] { results.commit(); }};
-  if (view == nullptr) return settings;
   // The view limits the speed itself, because its limit can be changed.
-  settings.max_speed = std::numeric_limits<double>::infinity();
-  settings.hold = [&control = view->control()](hal::Time next) { return control.hold(next); };
+  if (view != nullptr) settings.max_speed = std::numeric_limits<double>::infinity();
   return settings;
+}
+
+/// What makes the run wait before an instant: the view's user, else TCP of the programs.
+std::function<std::optional<hal::Duration>(hal::Time)> hold_by(live::LiveView* view,
+                                                               network::NetworkOfRun* network) {
+  return [view, network](hal::Time next) -> std::optional<hal::Duration> {
+    if (view != nullptr) {
+      if (const auto wait = view->control().hold(next)) return wait;
+    }
+    return network == nullptr ? std::nullopt : network->hold(next);
+  };
 }
 
 int run(const RunOptions& options, const Scenario& scenario, const TimeAdvance& time_advance,
@@ -195,7 +206,9 @@ int run(const RunOptions& options, const Scenario& scenario, const TimeAdvance& 
     view = std::make_unique<live::LiveView>(
         scenario, simulation, live_view_of(options, time_advance, inspection, results));
   }
-  pace.emplace(pace_of(options, scenario, controllers.processes(), results, view.get()));
+  auto settings = pace_of(options, scenario, controllers.processes(), results, view.get());
+  settings.hold = hold_by(view.get(), network.get());
+  pace.emplace(std::move(settings));
   results.begin(simulation);
   if (view) start(*view, options, time_advance, results);
   say_open_loop(time_advance, results);

@@ -143,4 +143,13 @@ std::optional<std::int64_t> KernelFrames::next() const {
   return first->second.next;
 }
 
+bool is_tcp(Frame ethernet) {
+  constexpr std::uint8_t kTcp = 6;
+  constexpr std::size_t kProtocolOfIpv4 = 9, kNextHeaderOfIpv6 = 6;  // RFC 791, RFC 8200
+  const std::uint16_t type = type_of(ethernet);
+  if (type != kTypeIpv4 && type != kTypeIpv6) return false;
+  const std::size_t at = kEthernet + (type == kTypeIpv4 ? kProtocolOfIpv4 : kNextHeaderOfIpv6);
+  return ethernet.size() > at && ethernet[at] == kTcp;
+}
+
 }  // namespace programs::lockstep

@@ -55,4 +55,8 @@ class KernelFrames {
   std::uint16_t numbered_ = 0;
 };
 
+/// Whether an Ethernet frame holds a segment of TCP, at least the first fragment of one. Behind
+/// IPv6 extension headers, which are rare, it is not found.
+bool is_tcp(KernelFrames::Frame ethernet);
+
 }  // namespace programs::lockstep

@@ -78,7 +78,8 @@ class Init {
                               &spaces.host, &spaces.ipc}) {
         out.put(one->get());
       }
-      const std::array ends{made.ends.tap.get(), made.ends.counters.get(), made.ends.page.get()};
+      const std::array ends{made.ends.tap.get(), made.ends.counters.get(), made.ends.page.get(),
+                            made.ends.tcp.get(), made.ends.tcp6.get()};
       send(control_, MessageKind::kAgent, out.bytes(), ends);
       agents_.push_back(std::move(made.spaces));
       firsts_.insert(made.init);

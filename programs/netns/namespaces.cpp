@@ -18,6 +18,7 @@
 #include "programs/netns/message.h"
 #include "programs/netns/packed.h"
 #include "programs/netns/run_state.h"
+#include "programs/netns/tcp_timers.h"
 
 namespace programs::netns {
 namespace {
@@ -128,7 +129,8 @@ struct Namespaces::State {
     const auto taken = [&message](std::size_t i) {
       return FileDescriptor(fcntl(message.descriptors.at(i).get(), F_DUPFD_CLOEXEC, 0));
     };
-    agents.push_back({taken(0), taken(1), MappedPage(message.descriptors.at(2))});
+    agents.push_back(
+        {taken(0), taken(1), MappedPage(message.descriptors.at(2)), taken(3), taken(4)});
     agents.back().page.waits().seed = settings.seed * 65'537 + network.id;
     (*agents.back().page)
         .set_interface({network.address, static_cast<std::uint32_t>(network.mtu),
@@ -170,6 +172,7 @@ struct Namespaces::State {
   struct Agent {
     FileDescriptor tap, counters;
     MappedPage page;
+    FileDescriptor tcp, tcp6;
   };
 
   Settings settings;
@@ -272,6 +275,11 @@ ino_t Namespaces::processes(std::size_t agent) const {
   struct stat space {};
   if (stat(path.c_str(), &space) != 0) fail(path);
   return space.st_ino;
+}
+
+bool Namespaces::has_tcp_timer(std::size_t agent) const {
+  const State::Agent& one = state_->agents.at(agent);
+  return netns::has_tcp_timer(one.tcp.get()) || netns::has_tcp_timer(one.tcp6.get());
 }
 
 std::uint64_t Namespaces::tx_dropped(std::size_t agent) const {

@@ -136,6 +136,9 @@ class Namespaces {
   /// many: packets that never came to wlan0.
   std::vector<std::pair<std::string, std::uint64_t>> icmp_not_sent() const;
 
+  /// Whether the agent's kernel is to send something of TCP when a timer of the wall clock says so.
+  bool has_tcp_timer(std::size_t agent) const;
+
   /// Frames that the kernel dropped because the TAP was full: a counter of wlan0. Must stay 0.
   std::uint64_t tx_dropped(std::size_t agent) const;
 

@@ -97,6 +97,9 @@ AgentEnds make_ends(const AgentNetwork& network, const AgentSpaces& spaces,
   write_file("/proc/sys/net/ipv4/ping_group_range",
              fmt::format("0 {}", std::min(last_group(), kMostOfKernel)));
   ends.counters = open_file("/proc/self/net/dev", O_RDONLY);
+  ends.tcp = open_file("/proc/self/net/tcp", O_RDONLY);
+  ends.tcp6 = FileDescriptor(open("/proc/self/net/tcp6", O_RDONLY | O_CLOEXEC));
+  if (!ends.tcp6.is_open()) ends.tcp6 = open_file("/proc/self/net/tcp", O_RDONLY);
   ends.page = make_page();
   join(own, "way back out of its network");
   return ends;

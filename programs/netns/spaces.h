@@ -20,6 +20,8 @@ struct AgentSpaces {
 struct AgentEnds {
   FileDescriptor tap;       ///< The other end of wlan0.
   FileDescriptor counters;  ///< /proc/net/dev of the agent.
+  FileDescriptor tcp;       ///< /proc/net/tcp of the agent.
+  FileDescriptor tcp6;      ///< The same of IPv6, or of IPv4 once more without IPv6.
   FileDescriptor page;      ///< Shared memory with the RoomPage and the WaitPage of the agent.
 };
 

@@ -138,6 +138,13 @@ void Interfaces::serve_outsiders(hal::Time next) {
   programs_->find_changed([&](hal::AgentId agent) { set_turn(of(agent), next); });
 }
 
+void Interfaces::serve_due() {
+  if (programs_ == nullptr) return;
+  programs_->find_due([&](hal::AgentId agent, hal::Time at) {
+    set_turn(of(agent), std::max(at, home_.events.now()));
+  });
+}
+
 /// An earlier turn than the one that is pending takes its place.
 void Interfaces::set_turn(AgentInterface& one, hal::Time at) {
   if (home_.events.is_pending(one.turn)) {

@@ -52,6 +52,9 @@ class Interfaces final : public air::InterfaceListener {
   /// In lock-step, between two instants: gives a turn at `next` to agents whose programs somebody
   /// outside the run has started or made go on.
   void serve_outsiders(hal::Time next);
+  /// In lock-step, while the run waits: gives turns to agents of which something comes by the wall
+  /// clock.
+  void serve_due();
   /// In lock-step: something comes from programs at this instant.
   void arrive(const std::string& door, std::span<const std::uint8_t> bytes);
   /// In a repetition of a run in lock-step: what came from its programs, in this order.

@@ -278,6 +278,7 @@ void Simulation::State::go_on(hal::Time next, Pace& pace) {
       return;
     case Pace::Verdict::kAskAgain:
       instants_until_look = 0;
+      interfaces.serve_due();
       return on_failures(controllers.find_dead());
     case Pace::Verdict::kGoOn:
       serve_outsiders(next);

@@ -32,6 +32,11 @@ class HeldPrograms {
   /// a frame: `baraka exec` started it, or somebody types at it.
   virtual void find_changed(const std::function<void(hal::AgentId)>& found) = 0;
 
+  /// To be asked while the run waits before its next instant. Calls this for each agent whose
+  /// kernel or programs do something at a time of the wall clock, with the virtual time that this
+  /// is; there are such only while the programs make the run keep to wall time.
+  virtual void find_due(const std::function<void(hal::AgentId, hal::Time)>& found) = 0;
+
   /// Whether one of them waits for room in the queue of the agent's station.
   virtual bool waits_for_room(hal::AgentId agent) const = 0;
   /// Whether the last FrameSink::on_room() has made one of them want to go on.

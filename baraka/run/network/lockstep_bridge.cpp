@@ -1,6 +1,7 @@
 #include "baraka/run/network/lockstep_bridge.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,8 +20,11 @@ std::int64_t nanoseconds(hal::Time time) { return time.time_since_epoch().count(
 
 }  // namespace
 
-LockstepBridge::LockstepBridge(std::vector<Station> stations, Programs programs)
-    : programs_(std::move(programs)), buffer_(kFrameBuffer) {
+LockstepBridge::LockstepBridge(std::vector<Station> stations, Programs programs, hal::Clock& wall)
+    : programs_(std::move(programs)),
+      wall_(wall),
+      tcp_(programs_.has_tcp_timer),
+      buffer_(kFrameBuffer) {
   std::ranges::sort(stations, {}, &Station::agent);
   all_.reserve(stations.size());
   for (Station& one : stations) all_.push_back(std::make_unique<AgentPrograms>(std::move(one)));
@@ -67,6 +71,7 @@ bool LockstepBridge::drain(AgentPrograms& one, std::int64_t now,
     }
     const auto frame =
         one.kernel.on_sent(std::span(buffer_).first(static_cast<std::size_t>(length)), now);
+    if (programs::lockstep::is_tcp(frame)) tcp_.on_segment();
     if (!frame.empty()) take(frame);
   }
 }
@@ -90,6 +95,21 @@ bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
 void LockstepBridge::find_changed(const std::function<void(hal::AgentId)>& found) {
   for (const auto& one : all_) {
     if (one->waits.changes() != one->seen) found(one->station.agent);
+  }
+}
+
+std::optional<hal::Duration> LockstepBridge::hold(hal::Time next) {
+  const auto wait = tcp_.hold(next, wall_.now());
+  is_held_for_tcp_ = wait.has_value();
+  return wait;
+}
+
+void LockstepBridge::find_due(const std::function<void(hal::AgentId, hal::Time)>& found) {
+  if (!std::exchange(is_held_for_tcp_, false)) return;
+  const hal::Time at = tcp_.reached(wall_.now());
+  for (const auto& one : all_) {
+    pollfd tap{.fd = one->station.tap, .events = POLLIN, .revents = 0};
+    if (one->waits.changes() != one->seen || ::poll(&tap, 1, 0) > 0) found(one->station.agent, at);
   }
 }
 

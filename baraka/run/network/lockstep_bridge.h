@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "baraka/run/network/tcp_pace.h"
+#include "hal/types/clock.h"
 #include "programs/lockstep/agent_waits.h"
 #include "programs/lockstep/kernel_frames.h"
 #include "programs/netns/room_page.h"
@@ -32,10 +34,13 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
     std::function<hal::AgentId(hal::Time now)> start_next;
     /// Processes of programs of this agent have ended, as many.
     std::function<void(hal::AgentId agent, hal::Time now, std::size_t count)> on_ended;
+    /// Whether TCP of an agent's kernel waits for a timer.
+    std::function<bool()> has_tcp_timer;
   };
 
   /// @param stations  what they point to outlives this.
-  LockstepBridge(std::vector<Station> stations, Programs programs);
+  /// @param wall  outlives this.
+  LockstepBridge(std::vector<Station> stations, Programs programs, hal::Clock& wall);
 
   void on_frame(hal::AgentId agent, hal::Time at, std::span<const std::uint8_t> ethernet) override;
   void on_room(hal::AgentId agent, const Room& room) override;
@@ -45,11 +50,15 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
   bool go_on(hal::AgentId agent, hal::Time now,
              const std::function<void(std::span<const std::uint8_t>)>& take) override;
   void find_changed(const std::function<void(hal::AgentId)>& found) override;
+  void find_due(const std::function<void(hal::AgentId, hal::Time)>& found) override;
   bool waits_for_room(hal::AgentId agent) const override;
   bool has_woken(hal::AgentId agent) const override { return of(agent).has_woken; }
   std::optional<hal::Time> deadline(hal::AgentId agent) const override;
 
   programs::lockstep::AgentWaits& waits(hal::AgentId agent) { return of(agent).waits; }
+
+  /// Whether the run has to wait before it goes to `next`, for TCP's sake: how long.
+  std::optional<hal::Duration> hold(hal::Time next);
 
   /// The run is over: programs may end as they like.
   void let_go();
@@ -81,6 +90,9 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
 
   std::vector<std::unique_ptr<AgentPrograms>> all_;  ///< By address.
   Programs programs_;
+  hal::Clock& wall_;
+  TcpPace tcp_;
+  bool is_held_for_tcp_ = false;
   std::uint64_t not_taken_ = 0;
   std::vector<std::uint8_t> buffer_;
 };

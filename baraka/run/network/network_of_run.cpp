@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -148,22 +149,32 @@ void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& 
   simulation_ = &simulation;
   std::vector<LockstepBridge::Station> stations;
   for (std::size_t i = 0; i < agents_.size(); ++i) stations.push_back(station(i, pace));
+  const auto start_next = [this](hal::Time now) {
+    const hal::AgentId agent = *programs_.next_agent();
+    programs_.start_next(now, results_());
+    return agent;
+  };
+  const auto has_tcp_timer = [this] {
+    return std::ranges::any_of(std::views::iota(std::size_t{0}, agents_.size()),
+                               [this](std::size_t i) { return namespaces_->has_tcp_timer(i); });
+  };
   lockstep_.emplace(
       std::move(stations),
       LockstepBridge::Programs{.next_start = [this] { return programs_.next(); },
-                               .start_next =
-                                   [this](hal::Time now) {
-                                     const hal::AgentId agent = *programs_.next_agent();
-                                     programs_.start_next(now, results_());
-                                     return agent;
-                                   },
+                               .start_next = start_next,
                                .on_ended = [this](hal::AgentId, hal::Time now,
-                                                  std::size_t count) { await_ended(now, count); }});
+                                                  std::size_t count) { await_ended(now, count); },
+                               .has_tcp_timer = has_tcp_timer},
+      pace.clock());
   simulation.connect_air(*lockstep_, *lockstep_);
   use_of_processor_.emplace(*processor_);
   ::prctl(PR_SET_TIMERSLACK, kTimerSlack, 0, 0, 0);
   let_others_finish();
   note_begin(pace.clock());
+}
+
+std::optional<hal::Duration> NetworkOfRun::hold(hal::Time next) {
+  return lockstep_ ? lockstep_->hold(next) : std::nullopt;
 }
 
 /// The end of a process is seen before the namespaces tell of it.

@@ -73,6 +73,9 @@ class NetworkOfRun final : private pace::BackgroundWork {
   /// The same in lock-step, before simulation.run().
   void connect(sim::agents::Simulation& simulation, pace::WallPace& pace);
 
+  /// In lock-step: how long the run has to wait before it goes to `next`; none: it may go on.
+  std::optional<hal::Duration> hold(hal::Time next);
+
   /// For starting other programs inside. @pre finish() has not been called.
   programs::netns::Namespaces& namespaces() { return *namespaces_; }
   /// Index of an agent among the namespaces; none: the agent has no network.
