@@ -9,6 +9,7 @@
 #include "baraka/campaign/campaign_command.h"
 #include "baraka/commands/check_command.h"
 #include "baraka/commands/describe_command.h"
+#include "baraka/commands/diff_command.h"
 #include "baraka/commands/exec_command.h"
 #include "baraka/commands/export_command.h"
 #include "baraka/commands/file_kinds.h"
@@ -279,6 +280,13 @@ void add_export(CLI::App& app, baraka::commands::ExportOptions& options) {
                 "Describe the tables and columns of a result, or of this campaign");
 }
 
+void add_diff(CLI::App& app, baraka::commands::DiffOptions& options) {
+  CLI::App* diff = app.add_subcommand(
+      "diff", "First difference between two runs; status 0: none, 1: there is one, 2: error");
+  diff->add_option("DIR", options.folder, "Folder of the result of a run")->required();
+  diff->add_option("OTHER", options.other, "That of the other run")->required();
+}
+
 void add_exec(CLI::App& app, baraka::commands::ExecOptions& options) {
   CLI::App* exec = app.add_subcommand(
       "exec", "Run a command inside an agent of a run under way: baraka exec r0 -- ping r1");
@@ -349,6 +357,7 @@ struct Asked {
   baraka::commands::ReportOptions report;
   baraka::commands::ViewOptions view;
   baraka::commands::ExportOptions export_;
+  baraka::commands::DiffOptions diff;
   baraka::commands::ExecOptions exec;
   baraka::commands::TopicOptions topic;
   baraka::commands::NewControllerOptions controller;
@@ -364,6 +373,7 @@ int act(const CLI::App& app, Asked& asked) {
   }
   if (app.got_subcommand("check")) return baraka::commands::check(asked.check);
   if (app.got_subcommand("describe")) return asked.describe.act();
+  if (app.got_subcommand("diff")) return baraka::commands::diff(asked.diff);
   if (app.got_subcommand("exec")) baraka::commands::exec_inside(asked.exec);
   if (app.got_subcommand("export")) return baraka::commands::export_results(asked.export_);
   if (app.got_subcommand("list")) return baraka::commands::list(asked.listed);
@@ -395,6 +405,7 @@ int command(int argc, char** argv) {
   add_report(app, asked.report);
   add_view(app, asked.view);
   add_export(app, asked.export_);
+  add_diff(app, asked.diff);
   add_exec(app, asked.exec);
   const std::vector<TopicCommand> topic_commands = add_topic(app, asked.topic);
   add_new_controller(app, asked.controller);

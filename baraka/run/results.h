@@ -55,6 +55,8 @@ class Results {
 
   const output::ResultsFolder& folder() const { return folder_; }
   sim::agents::FingerprintFeed& fingerprint() { return fingerprint_; }
+  /// @pre has_begun()
+  std::uint64_t frames_digest() const { return recorder_->frames_digest(); }
 
  private:
   void record(const std::filesystem::path& folder);

@@ -229,10 +229,10 @@ int run(const RunOptions& options, const Scenario& scenario, const TimeAdvance& 
 /// Prints the result of a run that was not repeated because it was finished (`--once`).
 int say_finished(const output::FinishedResult& finished, const std::filesystem::path& folder) {
   fmt::print(stderr, "the result is there already\n");
-  fmt::print("{} {}\nfingerprint: {}\nresults: {}\n",
+  fmt::print("{} {}\nfingerprint: {}\nframes_digest: {}\nresults: {}\n",
              hal::coloured_for(stdout, hal::Tone::kResult, "result:"),
              hal::printable(finished.result), hal::printable(finished.fingerprint),
-             folder.string());
+             hal::printable(finished.frames_digest), folder.string());
   return finished.status;
 }
 

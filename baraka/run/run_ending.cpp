@@ -28,6 +28,7 @@ void print_outcome(const Outcome& outcome, Results& results, double wall_seconds
   const double simulated = hal::to_seconds(outcome.ended_at);
   fmt::print("{} {}\nfingerprint: {}\n", hal::coloured_for(stdout, hal::Tone::kResult, "result:"),
              outcome.result, sim::to_hex(results.fingerprint().fingerprint().total()));
+  fmt::print("frames_digest: {}\n", sim::to_hex(results.frames_digest()));
   fmt::print("simulated_s: {:.9f}\nwall_s: {:.3f}\n", simulated, wall_seconds);
   fmt::print("real_time_factor: {:.1f}\n", wall_seconds > 0 ? simulated / wall_seconds : 0.0);
   fmt::print("events: {}\nexchanges: {}\n", outcome.events, outcome.exchanges);

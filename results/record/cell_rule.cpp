@@ -38,7 +38,8 @@ constexpr std::array<std::string_view, 3> kShortColumns{"sequence", "hops", "por
 /// Columns that are read as int.
 constexpr std::array<std::string_view, 6> kIntColumns{"point",    "factor",        "replication",
                                                       "attempts", "transmissions", "process"};
-constexpr std::array<std::string_view, 4> kAnyIntegerColumns{"seed", "hash", "frame", "status"};
+constexpr std::array<std::string_view, 5> kAnyIntegerColumns{"seed", "hash", "payload_hash",
+                                                             "frame", "status"};
 constexpr std::array<std::string_view, 3> kTimeColumns{"at_ns", "sent_ns", "fate_ns"};
 constexpr std::array<std::string_view, 6> kLongTextColumns{"value",   "scenario", "error",
                                                            "reading", "bytes",    "text"};

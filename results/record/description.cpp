@@ -56,6 +56,7 @@ replication (`replication-01` and so on) with its output in `replication-01.log`
 constexpr const char* kReading = R"(## Reading them
 
     baraka report DIR...              summary tables; -o PAGE.html draws figures
+    baraka diff DIR OTHER             whether the same happened in two runs; the first difference
     baraka export DIR                 lists the tables of a result
     baraka view DIR...                world, network and time in a browser (view.md)
     baraka export DIR TABLE           one table as CSV (RFC 4180); -o FILE writes it to a file
@@ -75,11 +76,10 @@ or as a single figure with `--figure NAME -o FILE.svg`. Given a folder of result
 all of them except earlier ones (`NAME.1` beside `NAME`) and those that never began
 (`NAME.not-started`).
 
-This prints the first difference to another run: the second, what differed, and which agent.
-
-    sqlite3 DIR/run.sqlite "ATTACH 'OTHER/run.sqlite' AS o; SELECT second, part, agent FROM (SELECT
-      * FROM (SELECT * FROM fingerprints EXCEPT SELECT * FROM o.fingerprints) UNION SELECT * FROM
-      (SELECT * FROM o.fingerprints EXCEPT SELECT * FROM fingerprints)) ORDER BY 1, 2, 3 LIMIT 1"
+`baraka diff` compares the tables `arrivals`, `frames` and `frame_ends` row by row and prints the
+first difference in time: stations, protocol, and the value or byte that differs (determinism.md).
+With `record: {frames: sample}`, `counts` or `none` it names the second, the part and the agent of
+the first difference in the table `fingerprints`, and says what to record.
 
 In CSV the first line names the columns, null is an empty field, an empty text is `""`, and a number
 is written in the shortest form that reads back to the same bits. A text that a spreadsheet could

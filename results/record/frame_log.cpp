@@ -2,17 +2,40 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "results/record/packet_name.h"
+#include "sim/air/packet_text.h"
+#include "sim/core/fingerprint.h"
 #include "sim/radio/frame_class.h"
 
 namespace results::record {
+namespace {
+
+/// Protocols of a program's packet; none if the frame carries none.
+std::optional<std::string> protocol_of(const sim::radio::Frame& frame) {
+  const bool is_packet = frame.type == sim::radio::FrameType::kData && frame.payload &&
+                         frame.ethertype != sim::radio::kEthertypeRouting;
+  if (!is_packet) return std::nullopt;
+  return sim::air::packet_text(frame.ethertype, std::as_bytes(std::span(*frame.payload)));
+}
+
+std::optional<std::uint64_t> payload_hash_of(const sim::radio::Frame& frame) {
+  if (!frame.payload) return std::nullopt;
+  sim::Hash hash;
+  hash.add_bytes(frame.payload->data(), frame.payload->size());
+  return hash.value();
+}
+
+}  // namespace
 
 FrameLog::FrameLog(Database& database, sim::scenario::Detail detail, const Protocols& protocols,
                    Commits& commits)
-    : insert_(database, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+    : insert_(database,
+              "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_end_(database, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?, ?)"),
       detail_(detail),
       protocols_(protocols),
@@ -45,7 +68,8 @@ void FrameLog::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
   if (!packet.kind.empty()) kind = packet.kind;
   insert_.run(frame.id, hal::to_ns(at), sim::radio::class_of(frame), frame.transmitter.value,
               frame.receiver.value, frame.sequence, frame.retry, std::uint64_t{frame.air_length},
-              frame.airtime.count(), frame.duration.count(), rate, sender, message, kind);
+              frame.airtime.count(), frame.duration.count(), rate, sender, message, kind,
+              protocol_of(frame), payload_hash_of(frame));
   ++rows_;
   commits_.on_rows(at, 1);
 }
@@ -82,7 +106,11 @@ std::vector<Table> FrameLog::tables() {
         {"sender", "INTEGER", "", "of the controllers' message that it carries; null: none"},
         {"message", "INTEGER", "", "number of that message, by its sender"},
         {"packet", "TEXT", "",
-         "what routing sent in it: 'data', 'forward ant', ...; null: nothing"}}},
+         "what routing sent in it: 'data', 'forward ant', ...; null: nothing"},
+        {"protocol", "TEXT", "",
+         "of the program's packet in it, with ports: 'ARP', 'IPv4 UDP 40000 > 5000', 'IPv6 TCP "
+         "40001 > 80', 'IPv4 UDP 7412 > 7410, RTPS', ...; null: none"},
+        {"payload_hash", "INTEGER", "", "of its payload's bytes, 64 bits; null: it has none"}}},
       {"frame_ends",
        "outcome of the frames of the table frames at the radios that could receive or sense them",
        {{"frame", "INTEGER NOT NULL", "", "as in frames"},

@@ -31,6 +31,7 @@ Recorder::Recorder(const std::filesystem::path& file, const sim::agents::Simulat
   Recording recording{database_, options_, config, protocols_, commits_, *this};
   add_writers(recording);
   ObserverList::add(commits_);
+  ObserverList::add(frame_digest_);
   database_.execute("BEGIN");
   describe(config);
   add_countable(sim::scenario::countable_of(config, options_.counts_frames(),
@@ -194,6 +195,7 @@ void Recorder::write_totals(const sim::Fingerprint& fingerprint) {
   const auto parts = fingerprint.parts();
   for (std::size_t i = 0; i < parts.size(); ++i)
     set(fmt::format("fingerprint_{}", sim::name(static_cast<sim::Part>(i))), sim::to_hex(parts[i]));
+  set("frames_digest", sim::to_hex(frames_digest()));
 }
 
 void Recorder::on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) {

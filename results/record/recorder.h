@@ -13,6 +13,7 @@
 #include "results/record/protocols.h"
 #include "results/record/topics.h"
 #include "results/record/unheard_topics.h"
+#include "sim/agents/frame_digest.h"
 #include "sim/agents/observer_list.h"
 #include "sim/agents/simulation.h"
 #include "sim/agents/simulation_config.h"
@@ -99,6 +100,9 @@ class Recorder final : public sim::agents::ObserverList {
   /// Writes the outcome of the run. Later calls of set() still take effect.
   void finish(const sim::agents::Outcome& outcome, const sim::Fingerprint& fingerprint);
 
+  /// Of all frames so far; see FrameDigest. Also written by finish().
+  std::uint64_t frames_digest() const { return frame_digest_.value(); }
+
   /// Message classes of which no message was delivered to anyone. Call after finish().
   std::vector<UnheardTopic> unheard_topics() { return record::unheard_topics(database_); }
 
@@ -122,6 +126,7 @@ class Recorder final : public sim::agents::ObserverList {
   Protocols protocols_;
   Commits commits_;
   Statement set_, insert_fingerprint_;
+  sim::agents::FrameDigest frame_digest_;
   bool is_finished_ = false;
   bool is_given_up_ = false;
 };

@@ -67,6 +67,10 @@ std::vector<RunKey> all_run_keys() {
       {"fingerprint_bodies", "", "of poses at control instants"},
       {"fingerprint_exchange", "", "of events and actions"},
       {"fingerprint_routing", "", "of route changes"},
+      {"frames_digest", "",
+       "of all frames in the order in which they were sent: times, addresses, rates, lengths and "
+       "the "
+       "bytes of their payloads; 64 bits in hexadecimal"},
       {"overruns", "", "in real time: steps that came too late"},
       {"missed_cycles", "", "in real time: control cycles without an answer in time"},
       {"command_timeouts", "",

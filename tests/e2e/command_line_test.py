@@ -209,12 +209,13 @@ end: [{{at: 1 s, result: over}}]
     def test_every_command_says_the_same_of_what_is_no_result(self):
         (self.folder / "empty").mkdir()
         (self.folder / "file").write_text("x")
-        for name, what, commands in (("empty", "holds no result", ["report", "export", "view"]),
-                                     ("nowhere", "there is no such folder", ["report", "export"]),
-                                     ("file", "is a file, and the folder of a result is wanted", ["report", "export"])):
+        for name, what, commands in (("empty", "holds no result", ["report", "export", "view", "diff"]),
+                                     ("nowhere", "there is no such folder", ["report", "export", "diff"]),
+                                     ("file", "is a file, and the folder of a result is wanted", ["report", "export", "diff"])):
             said = set()
             for command in commands:
-                finished = Program("baraka", command, self.folder / name).finish()
+                again = [self.folder / name] if command == "diff" else []
+                finished = Program("baraka", command, self.folder / name, *again).finish()
                 self.assertEqual(finished.status, 2, str(finished))
                 said.add(finished.err)
             self.assertEqual(len(said), 1, said)

@@ -123,6 +123,7 @@ def commands(folder, out, plan):
         yield "status", lambda: run([BIN / "baraka", "campaign", plan, "--status", "--out", folder])
         yield "figure", lambda: run([BIN / "baraka", "report", folder, "--figure", "run.simulated"])
         return
+    yield "diff", lambda: run([BIN / "baraka", "diff", folder, folder])
     yield "figure", lambda: run([BIN / "baraka", "report", folder, "--figure", "agents.x", "-o", out / "x.svg"])
     yield "export mcap", lambda: run([BIN / "baraka", "export", folder, "--format", "mcap", "-o", out / "run.mcap"])
     if (BIN / "view_page.html").exists():

@@ -24,7 +24,7 @@ std::optional<FinishedResult> finished_result(const std::filesystem::path& folde
     if (status != gateway::process::kDone && status != gateway::process::kExpectationNotMet)
       return std::nullopt;
     return FinishedResult{static_cast<int>(*status), reader.value("result"),
-                          reader.value("fingerprint")};
+                          reader.value("fingerprint"), reader.value("frames_digest")};
   } catch (const std::exception&) {
     return std::nullopt;  // cut short before its tables were complete
   }

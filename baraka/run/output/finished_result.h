@@ -10,7 +10,7 @@ namespace baraka::run::output {
 /// A finished result, which another run of the same scenario and seed would only repeat.
 struct FinishedResult {
   int status = 0;  ///< Exit status of the run: kDone or kExpectationNotMet.
-  std::string result, fingerprint;
+  std::string result, fingerprint, frames_digest;
 };
 
 /// The finished result in a folder. None: the folder has no result, or one with another seed, or

@@ -92,9 +92,21 @@ TEST_F(RecorderTest, SaysHowTheRunEnded) {
   EXPECT_EQ(value("error"), "none");
   EXPECT_EQ(value("fingerprint"), sim::to_hex(fingerprint.total()));
   EXPECT_EQ(value("fingerprint_air"), sim::to_hex(fingerprint.part(sim::Part::kAir)));
+  EXPECT_EQ(value("frames_digest"), sim::to_hex(sim::agents::FrameDigest{}.value()));
   EXPECT_EQ(asked("SELECT second || part || agent || hash FROM fingerprints"),
             "1air1" + std::to_string(static_cast<std::int64_t>(hash)));
   EXPECT_EQ(asked("SELECT wall_steps || '/' || object_steps FROM bodies"), "4/5");
+}
+
+TEST_F(RecorderTest, WritesADigestOfAllFrames) {
+  const sim::radio::Frame frame = data_frame(AgentId{1}, AgentId{2});
+  sim::agents::FrameDigest digest;
+  digest.on_frame_start(Time{1s}, frame);
+  recorder->on_frame_start(Time{1s}, frame);
+  EXPECT_EQ(recorder->frames_digest(), digest.value());
+  recorder->finish({}, sim::Fingerprint{});
+  EXPECT_EQ(asked("SELECT value FROM run WHERE key = 'frames_digest'"),
+            sim::to_hex(digest.value()));
 }
 
 TEST_F(RecorderTest, WritesNoKeyThatIsNotDescribed) {

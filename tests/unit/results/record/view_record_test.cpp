@@ -12,6 +12,7 @@
 #include "results/record/frame_log.h"
 #include "results/record/look_log.h"
 #include "results/record/recorder.h"
+#include "sim/air/ethertypes.h"
 #include "tests/unit/results/record/test_run.h"
 
 namespace results::record::test {
@@ -69,6 +70,22 @@ TEST_F(ViewRecordTest, AFrameNamesTheMessageThatItCarriesAndItsSinr) {
   EXPECT_EQ(asked("SELECT duration_ns || ' ' || rate_bps FROM frames"), "314000 2000000");
   EXPECT_EQ(asked("SELECT group_concat(agent || ' ' || IFNULL(sinr_db, 'none')) FROM frame_ends"),
             "2 12.5,3 none");
+}
+
+TEST_F(ViewRecordTest, AFrameNamesTheProtocolsOfAProgramsPacketAndHasAHashOfItsBytes) {
+  Recorder& one = record({.frames = sim::scenario::Detail::kAll});
+  sim::radio::Frame arp = frame(1), other = frame(2), ack = frame(3), routed = frame(4);
+  arp.ethertype = sim::air::kEthertypeArp;
+  arp.payload = std::make_shared<const hal::Bytes>(hal::Bytes{1, 2});
+  other.ethertype = arp.ethertype;
+  other.payload = std::make_shared<const hal::Bytes>(hal::Bytes{1, 3});
+  ack.type = sim::radio::FrameType::kAck;
+  routed.ethertype = sim::radio::kEthertypeRouting;
+  routed.payload = arp.payload;
+  for (const sim::radio::Frame* sent : {&arp, &other, &ack, &routed})
+    one.on_frame_start(Time{5ns}, *sent);
+  EXPECT_EQ(asked("SELECT group_concat(IFNULL(protocol, '-')) FROM frames"), "ARP,ARP,-,-");
+  EXPECT_EQ(asked("SELECT COUNT(DISTINCT payload_hash) || COUNT(payload_hash) FROM frames"), "23");
 }
 
 // 5000 rows are those of 2500 frames that end at one radio each; the second after begins anew.
