@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "baraka/run/check/check_scenario.h"
+#include "baraka/run/check/program_pace.h"
 #include "baraka/run/domain_range.h"
 #include "baraka/run/forced_end.h"
 #include "baraka/run/network/namespace_starter.h"
@@ -76,7 +77,8 @@ std::unique_ptr<network::NetworkOfRun> network_of(const std::string& file, const
                                                   const TimeAdvance& time_advance,
                                                   const Results& results) {
   if (!network::has_network(scenario) || time_advance.is_repeated()) return nullptr;
-  return std::make_unique<network::NetworkOfRun>(scenario, file, program_time(time_advance.pace()),
+  return std::make_unique<network::NetworkOfRun>(scenario, file,
+                                                 check::program_time(time_advance.pace()),
                                                  [&results] { return results.folder().path(); });
 }
 
@@ -247,7 +249,8 @@ check::RunMode run_mode_of(const RunOptions& options) {
   return {.controllers = options.controllers,
           .has_domain = options.inspect_domain.has_value(),
           .is_repeated = !options.repeat.empty(),
-          .time = program_time(options.pace)};
+          .time = options.pace.empty() ? std::nullopt
+                                       : std::optional(check::program_time(options.pace))};
 }
 
 std::string until_words(const RunOptions& options) {

@@ -10,39 +10,21 @@
 #include <map>
 #include <string_view>
 
+#include "baraka/run/check/program_pace.h"
 #include "baraka/run/controllers/inside_controllers.h"
 #include "baraka/run/pace/real_time_clock.h"
 #include "gateway/process/exit_status.h"
-#include "hal/files/config/value.h"
 #include "sim/agents/air_door.h"
 #include "sim/scenario/resolved.h"
 
 namespace baraka::run {
 namespace {
 
-constexpr double kLeastFactor = 1e-3, kMostFactor = 1e5;
 constexpr double kLeastFactorOfPrograms = 0.01;
 
-/// The factor of a real-time pace; none: lock-step.
-std::optional<double> real_time_factor(const std::string& pace) {
-  if (pace == "lockstep") return std::nullopt;
-  if (pace == "realtime") return 1;
-  constexpr std::string_view kPrefix = "realtime:";
-  const std::string_view text = pace;
-  const auto factor = hal::files::config::parse_value(
-      text.substr(std::min(kPrefix.size(), text.size())), "1", kLeastFactor, kMostFactor);
-  if (!text.starts_with(kPrefix) || !factor) {
-    throw gateway::process::UsageError(fmt::format(
-        "--pace: '{}' is not one of lockstep, realtime, realtime:F with F from {} to {}", pace,
-        kLeastFactor, kMostFactor));
-  }
-  return *factor;
-}
-
 void require_no_controllers_inside(const sim::scenario::Scenario& scenario) {
-  const auto inside = std::ranges::find_if(
-      scenario.groups, [](const sim::scenario::Group& group) { return group.inside; });
-  if (inside == scenario.groups.end()) return;
+  const sim::scenario::Group* const inside = check::first_with_controllers_inside(scenario);
+  if (inside == nullptr) return;
   throw gateway::process::UsageError(
       fmt::format("--pace: lockstep: the controllers of {} run inside their agents, which "
                   "lock-step cannot hold "
@@ -50,22 +32,22 @@ void require_no_controllers_inside(const sim::scenario::Scenario& scenario) {
                   inside->name));
 }
 
-/// Without --pace programs follow the wall clock; they cannot run faster than it.
+/// Programs that follow the wall clock cannot run faster than it.
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
-  if (!network::has_network(scenario)) return options.pace.empty() ? "lockstep" : options.pace;
-  if (options.pace == "lockstep") {
+  const std::string pace = options.pace.empty() ? check::default_pace(scenario) : options.pace;
+  if (!network::has_network(scenario)) return pace;
+  const std::optional<double> factor = check::real_time_factor(pace);
+  if (!factor) {
     require_no_controllers_inside(scenario);
-    return options.pace;
+    return pace;
   }
   if (std::isfinite(options.max_speed)) {
     throw gateway::process::UsageError(
         "--max-speed: agents with a network follow the clock; --pace realtime:F makes a run and "
         "its programs slower");
   }
-  if (options.pace.empty()) return "realtime";
-  const std::optional<double> factor = real_time_factor(options.pace);
-  if (*factor >= kLeastFactorOfPrograms && *factor <= 1) return options.pace;
+  if (*factor >= kLeastFactorOfPrograms && *factor <= 1) return pace;
   throw gateway::process::UsageError(fmt::format(
       "--pace: realtime:{}: with agents that have a network, F must be from {} to 1: their "
       "programs can be slowed, not hastened",
@@ -159,14 +141,9 @@ std::vector<sim::OutsideArrival> take_of_programs(std::vector<sim::OutsideArriva
 
 }  // namespace
 
-programs::netns::ProgramTime program_time(const std::string& pace) {
-  const std::optional<double> factor = pace.empty() ? 1 : real_time_factor(pace);
-  return {.is_held = !factor, .factor = factor.value_or(1)};
-}
-
 TimeAdvance::TimeAdvance(const RunOptions& options, const sim::scenario::Scenario& scenario)
     : pace_(pace_of(options, scenario)) {
-  if (options.repeat.empty()) factor_ = real_time_factor(pace_);
+  if (options.repeat.empty()) factor_ = check::real_time_factor(pace_);
   if (options.until) until_ = hal::Time{hal::from_seconds(*options.until)};
   if (options.repeat.empty()) return;
   open_loop_ = open_loop_of(options.repeat, scenario);

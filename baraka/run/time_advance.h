@@ -13,11 +13,6 @@
 
 namespace baraka::run {
 
-/// How time passes for the programs of a run.
-/// @param pace  a value of `--pace`; empty: real time.
-/// @throws UsageError  not a valid pace.
-programs::netns::ProgramTime program_time(const std::string& pace);
-
 /// How simulated time advances in a run: in lock-step, in real time, or as in a recorded run.
 class TimeAdvance {
  public:

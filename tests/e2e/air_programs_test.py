@@ -15,6 +15,7 @@ from baraka import BIN, Case, children, send, wait_for
 
 SKIPPED = 77
 
+REAL_TIME = ("--pace", "realtime")
 SLOW_RADIO = "radio: {include: radios/ieee80211b.yaml, queue_limit: 20}\n"
 FAST_RADIO = "radio: {include: radios/ieee80211g.yaml, queue_limit: 20}\n"
 
@@ -267,7 +268,7 @@ class Programs(Air):
         self.run_baraka(scenario, "--pace", "realtime")
 
     def test_one_that_is_killed_is_noted(self):
-        under_way = self.start(self.scenario(station("a", 0, program("victim", "sleep", "1234", on_exit="fail"))))
+        under_way = self.start(self.scenario(station("a", 0, program("victim", "sleep", "1234", on_exit="fail"))), *REAL_TIME)
 
         def victims():
             found = []
@@ -383,27 +384,37 @@ class Runs(Air):
         for pace in ("realtime:1.01", "realtime:0.009"):
             refused = self.run_baraka(scenario, "--pace", pace, status=2)
             self.assertIn("agents that have a network", refused.err)
-        slower = self.run_baraka(scenario, "--max-speed", "0.5", status=2)
+        slower = self.run_baraka(scenario, *REAL_TIME, "--max-speed", "0.5", status=2)
         self.assertIn("--max-speed: agents with a network follow the clock", slower.err)
-        self.assertLess(float(self.run_baraka(scenario)["real_time_factor"]), 1.1)
+        self.assertLess(float(self.run_baraka(scenario, *REAL_TIME)["real_time_factor"]), 1.1)
+
+    def test_without_a_pace_they_are_held_unless_a_controller_is_inside(self):
+        agent = station("a", 0)
+        self.run_baraka(self.scenario(agent, end="1 s"))
+        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'pace'"), [("lockstep",)])
+        slow = self.run_baraka(self.scenario(agent, end="1 s"), "--max-speed", "2")
+        self.assertLess(float(slow["real_time_factor"]), 2.1)
+        inside = agent + "    controller: {program: traffic_sink, parameters: {topic: t}, inside: true}\n"
+        self.run_baraka(self.scenario(inside, end="1 s"))
+        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'pace'"), [("realtime",)])
 
     def test_too_late_is_said(self):
         scenario = self.scenario(
             station("a", 0, program("ping", "ping", "-c", "100", "-i", "0.01", "b", on_exit="end")), station("b", 5))
-        finished = self.run_baraka(scenario, "--set", "lateness_limit=1 us")
+        finished = self.run_baraka(scenario, *REAL_TIME, "--set", "lateness_limit=1 us")
         self.assertGreaterEqual(int(finished["entering_frames"]), 100)
         self.assertIn("this computer was too slow for this run", finished.err)
         ((warnings,),) = self.query("SELECT value FROM run WHERE key = 'warnings'")
         self.assertIn("too slow", warnings)
         self.assertGreater(float(finished["entering_late_share"]), 0.01)
-        patient = self.run_baraka(scenario, "--set", "lateness_limit=10 s")
+        patient = self.run_baraka(scenario, *REAL_TIME, "--set", "lateness_limit=10 s")
         self.assertEqual(float(patient["entering_late_share"]), 0)
         self.assertNotIn("too slow", patient.err)
 
     def test_few_frames_that_are_late_are_counted_and_no_share_is_judged(self):
         scenario = self.scenario(
             station("a", 0, program("ping", "ping", "-c", "5", "-i", "0.1", "b", on_exit="end")), station("b", 5))
-        finished = self.run_baraka(scenario, "--set", "lateness_limit=1 us")
+        finished = self.run_baraka(scenario, *REAL_TIME, "--set", "lateness_limit=1 us")
         self.assertLess(int(finished["entering_frames"]), 100)
         # Of the 10 frames of the pings; what the kernels sent before the run began, however much that is, is not late.
         late = float(finished["entering_late_share"]) * int(finished["entering_frames"])
@@ -412,7 +423,7 @@ class Runs(Air):
         self.assertNotIn("too slow", finished.err)
 
     def test_what_kernels_send_while_interfaces_come_up_is_not_late(self):
-        self.run_baraka(self.scenario(station("a", 0), station("b", 5), end="50 ms"))
+        self.run_baraka(self.scenario(station("a", 0), station("b", 5), end="50 ms"), *REAL_TIME)
         entered = [at for (at,) in self.query("SELECT at_ns FROM arrivals WHERE door LIKE 'air of %' ORDER BY at_ns")]
         self.assertTrue(entered, "the kernels told nothing of their interfaces")
         self.assertEqual(entered[0], 0)

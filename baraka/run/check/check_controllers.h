@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,8 @@ struct RunMode {
   controllers::ControllersFrom controllers = controllers::ControllersFrom::kSpawn;
   bool has_domain = false;   ///< A DDS domain is used, even with controllers in this process.
   bool is_repeated = false;  ///< Repeats a record, without programs and commands from outside.
-  programs::netns::ProgramTime time{};  ///< Of programs.
+  /// How time passes for programs; none: as without `--pace`.
+  std::optional<programs::netns::ProgramTime> time{};
 };
 
 /// Result of checking a scenario's controllers without running them.

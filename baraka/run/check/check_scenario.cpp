@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "baraka/run/check/check_programs.h"
+#include "baraka/run/check/program_pace.h"
 #include "hal/files/config/errors.h"
 #include "hal/files/config/shared_folders.h"
 #include "hal/types/terminal_colours.h"
@@ -17,8 +18,9 @@ CheckedScenario check_scenario(const std::filesystem::path& file,
   sim::scenario::Scenario& scenario = checked.scenario;
   ControllerFindings findings = check_controllers(scenario, mode);
   if (!mode.is_repeated) {
-    std::ranges::move(unusable_programs(scenario, mode.time),
-                      std::back_inserter(findings.mistakes));
+    std::ranges::move(
+        unusable_programs(scenario, mode.time.value_or(program_time(default_pace(scenario)))),
+        std::back_inserter(findings.mistakes));
   }
   if (!findings.mistakes.empty()) {
     throw hal::files::config::ConfigErrors(std::move(findings.mistakes));
