@@ -1,5 +1,4 @@
-"""Figures of the pages of docs/scenarios whose programs have sockets: they run in real time, so that no two figures are
-quite the same. Needs Cyclone's ddsperf (Debian: cyclonedds-tools) and the right to make user namespaces."""
+"""Figures of the pages of docs/scenarios whose programs have sockets, in lock-step: of the radio and the programs alone. Needs Cyclone's ddsperf (Debian: cyclonedds-tools) and the right to make user namespaces."""
 import collections
 import sys
 
@@ -15,8 +14,7 @@ PURPOSES = {"user": "samples, heartbeats, acknowledgements of programs", "SPDP":
 
 
 def play(runs, name, settings):
-    """Slower than real time, so that the figure shows the radio and not how busy the machine was."""
-    return runs.play(SCENARIOS / f"{name}.yaml", settings, more=("--pace", "realtime:0.25"))
+    return runs.play(SCENARIOS / f"{name}.yaml", settings)
 
 
 def said(run, program):
