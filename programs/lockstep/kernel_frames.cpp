@@ -47,13 +47,23 @@ Icmpv6 icmpv6_of(Frame ethernet) {
   return {ethernet[at], at};
 }
 
+bool is_dropped_ipv4(Frame ethernet) {
+  constexpr std::uint8_t kIcmp = 1, kIgmp = 2, kRedirect = 5;
+  if (ethernet.size() < kEthernet + kIpv4) return false;
+  const std::uint8_t protocol = ethernet[kEthernet + 9];
+  const std::size_t type_at = kEthernet + std::size_t{4} * (ethernet[kEthernet] & 0xf);
+  const bool is_redirect =
+      protocol == kIcmp && type_at < ethernet.size() && ethernet[type_at] == kRedirect;
+  return protocol == kIgmp || is_redirect;
+}
+
 bool is_dropped(Frame ethernet) {
-  constexpr std::uint8_t kIgmp = 2;
-  if (type_of(ethernet) == kTypeIpv4)
-    return ethernet.size() >= kEthernet + kIpv4 && ethernet[kEthernet + 9] == kIgmp;
+  if (type_of(ethernet) == kTypeIpv4) return is_dropped_ipv4(ethernet);
   const std::uint8_t type = icmpv6_of(ethernet).type;
-  constexpr std::uint8_t kFirstOfMld = 130, kRouterSolicitation = 133, kReportOfMld2 = 143;
-  return (type >= kFirstOfMld && type <= kRouterSolicitation) || type == kReportOfMld2;
+  constexpr std::uint8_t kFirstOfMld = 130, kRouterSolicitation = 133, kRedirect = 137,
+                         kReportOfMld2 = 143;
+  return (type >= kFirstOfMld && type <= kRouterSolicitation) || type == kRedirect ||
+         type == kReportOfMld2;
 }
 
 constexpr std::size_t kArpLength = kEthernet + 28;

@@ -15,6 +15,8 @@ namespace programs::lockstep {
 ///
 /// - Group membership (IGMP, RFC 3376; MLD, RFC 3810) and router solicitations (RFC 4861) are
 ///   dropped: no router is there to hear them, and their times are the kernel's.
+/// - Redirects (RFC 792; RFC 4861, 8), which save a hop at best, are dropped: how many a station
+///   sends is limited by the kernel's time.
 /// - Address resolution (ARP, RFC 826; neighbour solicitations, RFC 4861) is repeated by virtual
 ///   time: every second until it is answered, three times in all (MAX_MULTICAST_SOLICIT,
 ///   RETRANS_TIMER of RFC 4861, 10, which Linux uses for ARP, too). The kernel's own timers stand.

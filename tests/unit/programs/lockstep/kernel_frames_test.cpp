@@ -68,13 +68,18 @@ std::uint32_t sum_of_header(KernelFrames::Frame frame) {
 TEST(KernelFramesTest, DropWhatTheKernelSendsByItsOwnTimers) {
   KernelFrames kernel;
   EXPECT_TRUE(kernel.on_sent(ipv4(1, 0, 2), 0).empty()) << "IGMP";
-  for (const auto type : std::to_array<std::uint8_t>({130, 131, 132, 133, 143})) {
+  for (const auto type : std::to_array<std::uint8_t>({130, 131, 132, 133, 137, 143})) {
     EXPECT_TRUE(kernel.on_sent(icmpv6(type), 0).empty()) << int{type};
     EXPECT_TRUE(kernel.on_sent(icmpv6(type, true), 0).empty()) << int{type};
   }
   for (const auto type : std::to_array<std::uint8_t>({1, 128, 129, 135, 136}))
     EXPECT_FALSE(kernel.on_sent(icmpv6(type), 0).empty()) << int{type};
   EXPECT_FALSE(kernel.on_sent(ipv4(1), 0).empty());
+  for (const auto type : std::to_array<std::uint8_t>({0, 3, 5, 8, 11})) {
+    Bytes icmp = ipv4(1, 0, 1);
+    icmp[14 + 20] = type;
+    EXPECT_EQ(kernel.on_sent(icmp, 0).empty(), type == 5) << int{type};
+  }
   EXPECT_FALSE(kernel.on_sent(arp(1, 1, 2), 0).empty());
   EXPECT_FALSE(kernel.on_sent(Bytes{1, 2, 3}, 0).empty()) << "no frame at all is not its concern";
 }
