@@ -2,23 +2,18 @@
 
 #include <fmt/format.h>
 #include <linux/futex.h>
-#include <sys/pidfd.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <ctime>
 #include <stdexcept>
 #include <utility>
 
-#include "programs/netns/descriptor.h"
-
 namespace programs::lockstep {
 namespace {
 
-using netns::kEndWait;
 using netns::SlotState;
 using netns::WaitKind;
 using netns::WaitPage;
@@ -34,15 +29,6 @@ std::int64_t wall_time() {
 
 void futex_wake(std::atomic<std::uint32_t>& word) {
   syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0);
-}
-
-/// To an eventfd of another process, as if its timer had expired.
-bool write_to(pid_t process, int descriptor) {
-  const netns::FileDescriptor handle(static_cast<int>(syscall(SYS_pidfd_open, process, 0)));
-  const netns::FileDescriptor file(
-      static_cast<int>(syscall(SYS_pidfd_getfd, handle.get(), descriptor, 0)));
-  constexpr std::uint64_t kOnce = 1;
-  return file.is_open() && write(file.get(), &kOnce, sizeof kOnce) == sizeof kOnce;
 }
 
 }  // namespace
@@ -115,8 +101,11 @@ void AgentWaits::release(std::size_t i) {
   if (one.thread.load() == one.process.load()) tasks_.forget(one.process.load());
   if (threads_[i].is_program) ended_.push_back(i);
   threads_[i] = {};
+  const pid_t process = one.process.load();
   one.process = one.thread = 0;
   one.state = SlotState::kFree;
+  release_timers(process);
+  wake(netns::kFileLockObject);
 }
 
 /// A thread that says that it runs, and sleeps, is in a call of which the library does not know
@@ -279,47 +268,6 @@ bool AgentWaits::settle() {
   return false;
 }
 
-void AgentWaits::fire(std::size_t i) {
-  WaitSlot& one = slot(i);
-  const std::int64_t interval = one.interval.load();
-  one.deadline = interval > 0 ? one.deadline.load() + interval : netns::kNever;
-  const pid_t process = tasks_.outside(one.process.load());
-  const int signal = one.signal.load();
-  looks_at_parked_ = looks_at_parked_ || signal != 0;
-  const bool is_fired = process != 0 && (signal != 0 ? kill(process, signal) == 0
-                                                     : write_to(process, one.descriptor.load()));
-  if (!is_fired) release(i);
-}
-
-void AgentWaits::end_wait(std::size_t i) {
-  if (look(i) == KernelState::kGone) return;
-  const KernelThread& kernel = threads_[i].kernel;
-  syscall(SYS_tgkill, kernel.process(), kernel.thread(), kEndWait);
-}
-
-void AgentWaits::expire() {
-  const std::int64_t now = page_.now.load();
-  for (std::size_t i = 0; i < used(); ++i) {
-    WaitSlot& one = slot(i);
-    const SlotState state = one.state.load();
-    const bool is_due =
-        (state == SlotState::kWaiting || state == SlotState::kTimer) && one.deadline.load() <= now;
-    if (!is_due) continue;
-    ++counts_.expired;
-    if (state == SlotState::kTimer) {
-      fire(i);
-      continue;
-    }
-    one.deadline = netns::kNever;
-    one.expired = 1;
-    if (one.kind.load() == WaitKind::kParked) {
-      one.state = SlotState::kWants;
-    } else {
-      end_wait(i);
-    }
-  }
-}
-
 std::optional<std::int64_t> AgentWaits::deadline() const {
   std::int64_t earliest = netns::kNever;
   for (std::size_t i = 0; i < used(); ++i) {
@@ -340,13 +288,13 @@ bool AgentWaits::is_one_waiting(std::uint64_t object) const {
                      });
 }
 
-bool AgentWaits::wake_for_room() {
+bool AgentWaits::wake_for_room() { return wake(netns::kRoomObject); }
+
+bool AgentWaits::wake(std::uint64_t object) {
   bool is_one = false;
   for (std::size_t i = 0; i < used(); ++i) {
     WaitSlot& one = slot(i);
-    const bool waits =
-        one.object.load() == netns::kRoomObject && one.state.load() == SlotState::kWaiting;
-    if (!waits) continue;
+    if (one.object.load() != object || one.state.load() != SlotState::kWaiting) continue;
     one.state = SlotState::kWants;
     is_one = true;
   }

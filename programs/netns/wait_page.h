@@ -26,6 +26,9 @@ inline constexpr std::uint64_t kRoomObject = 2;
 /// taken frames from the agent's interface.
 inline constexpr std::uint64_t kSendingObject = 5;
 
+/// The same of one that waits for a lock of a file, which is free, too, when a process ends.
+inline constexpr std::uint64_t kFileLockObject = 6;
+
 /// What a slot of a WaitPage says of its thread. The thread itself writes it, except where noted.
 enum class SlotState : std::uint32_t {
   kFree,      ///< Names no thread. Written by the run.
@@ -58,7 +61,12 @@ struct alignas(64) WaitSlot {
   std::atomic<std::int32_t> descriptor;  ///< kTimer: of an eventfd to be written; -1: none.
   std::atomic<std::int32_t> signal;      ///< kTimer: to be sent; 0: none.
   std::atomic<std::uint32_t> readings;   ///< Of the clock since its last wait: see WaitPage.
-  std::array<std::uint32_t, 11> reserved;
+  std::atomic<std::int32_t> timer;       ///< kTimer of timer_create(): its number; 0: another one.
+  std::atomic<std::uint64_t> value;      ///< kTimer: what its signal carries.
+  std::atomic<std::int32_t> target;      ///< kTimer: the thread that gets the signal; 0: any.
+  std::atomic<std::uint32_t> overruns;   ///< kTimer: expirations since its last signal was sent,
+                                         ///< which was still pending. Set by the run, too.
+  std::array<std::uint32_t, 6> reserved;
 };
 static_assert(sizeof(WaitSlot) == 128);
 

@@ -18,6 +18,7 @@
 #include "programs/preload/intercepted.h"
 #include "programs/waits/net.h"
 #include "programs/waits/parking.h"
+#include "programs/waits/vdso.h"
 
 namespace programs::waits {
 namespace {
@@ -60,6 +61,10 @@ void clear(WaitSlot& slot) {
   slot.interval = 0;
   slot.object = 0;
   slot.kind = WaitKind::kParked;
+  slot.descriptor = -1;
+  slot.signal = slot.timer = slot.target = 0;
+  slot.value = 0;
+  slot.overruns = 0;
 }
 
 void name_thread(WaitSlot& slot) {
@@ -139,6 +144,7 @@ __attribute__((constructor(101))) void register_process() {
   if (shared == nullptr) return;
   pthread_key_create(&end_of_thread, on_end_of_thread);
   set_handler(kEndWait, on_end_of_wait);
+  take_over_vdso();
   if (WaitSlot* const reserved = reserved_slot(); reserved != nullptr) return adopt(*reserved);
   if (WaitSlot* const kept = slot_of_this_thread(); kept != nullptr) {
     free_other_slots(*kept);

@@ -14,6 +14,7 @@ from baraka import BIN, ROOT, Case, send, wait_for
 
 REFUSED = wire.why_not()
 WAITS = BIN.parent / "tests/lockstep_waits"
+ECHO_IN_C = BIN.parent / "tests/lockstep_echo"
 STILL = BIN.parent / "tests/still"
 PYTHON = "/usr/bin/python3"
 SEEDS_OF_MIX = (1, 2)
@@ -81,11 +82,14 @@ class Held(Case):
 class Waits(Held):
     def test_each_kind_of_wait_takes_exactly_as_long_as_it_says(self):
         self.run_held(scenario(self.folder, {"a": [("waits", [WAITS], ", on_exit: end")]}))
-        lines = [re.fullmatch(r"(.+): (\d+) (\d+)", line) for line in self.log("a", "waits").splitlines()]
-        source = (ROOT / "tests/e2e/lockstep/waits.c").read_text(encoding="utf-8")
-        kinds = re.findall(r'^    {"([^"]+)", \w+, ', source, re.M)
+        log = self.log("a", "waits")
+        self.assertNotIn("wrong", log)
+        lines = [re.fullmatch(r"(.+): (\d+) (\d+)", line) for line in log.splitlines()]
+        sources = [ROOT / f"tests/e2e/lockstep/{name}.c" for name in ("waits", "timers", "objects", "files")]
+        kinds = [kind for file in sources
+                 for kind in re.findall(r'^    {"([^"]+)", \w+, ', file.read_text(encoding="utf-8"), re.M)]
         self.assertEqual([line[1] for line in lines[:-1]], kinds)
-        self.assertGreaterEqual(len(kinds), 40)
+        self.assertGreaterEqual(len(kinds), 100)
         for line in lines:
             with self.subTest(line[1]):
                 took, expected = int(line[2]), int(line[3])
@@ -109,10 +113,10 @@ class Waits(Held):
 
 @unittest.skipIf(REFUSED, REFUSED)
 class Exact(Held):
-    def echo(self, *arguments):
-        file = scenario(self.folder, {"a": [("ping", [PYTHON, "-c", ECHO, "10.77.0.2"], ", on_exit: end")],
-                                      "b": [("pong", [PYTHON, "-c", ECHO], "")]})
-        finished = self.run_held(file, *arguments)
+    def echo(self, program=(PYTHON, "-c", ECHO), *more):
+        file = scenario(self.folder, {"a": [("ping", [*program, "10.77.0.2", *more], ", on_exit: end")],
+                                      "b": [("pong", program, "")]})
+        finished = self.run_held(file)
         return finished, [int(line) for line in self.log("a", "ping").split()]
 
     def expected(self):
@@ -133,6 +137,12 @@ class Exact(Held):
         self.assertGreater(len(set(took)), 5, "backoffs are drawn")
         self.assertEqual(finished["frames_dropped"], "0")
         self.assertGreater(int(finished["program_turns"]), 200)
+
+    def test_so_are_those_of_a_program_in_c(self):
+        finished, took = self.echo((ECHO_IN_C,), 1000)
+        self.assertEqual(len(took), 1000)
+        self.assertEqual(took[1:], self.expected()[1:])
+        self.assertEqual(finished["frames_dropped"], "0")
 
     def test_they_are_the_same_beside_busy_loops_and_when_repeated(self):
         alone = self.echo()
@@ -289,6 +299,13 @@ class Refused(Held):
         self.assertEqual(finished["program_unknown_waits"], "1")
         self.assertIn("1 waits of programs were in calls that lock-step does not know", finished.err)
         self.assertEqual(self.query("SELECT value FROM run WHERE key = 'program_unknown_waits'"), [(1,)])
+
+    def test_what_cannot_be_held_is_refused_to_the_program_and_said_once(self):
+        code = ("import ctypes, os\nc = ctypes.CDLL(None, use_errno=True)\n"
+                "for i in range(2): print(c.syscall(425, 8, 0), os.strerror(ctypes.get_errno()), flush=True)")
+        self.run_held(scenario(self.folder, {"a": [("ring", [PYTHON, "-c", code], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "ring"), "baraka: io_uring is not available in lock-step\n" +
+                         2 * "-1 Function not implemented\n")
 
     def test_a_program_that_never_waits_is_named(self):
         file = scenario(self.folder, {"a": [("busy", [PYTHON, "-c", "while True: pass"], "")]})
