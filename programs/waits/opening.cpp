@@ -1,4 +1,4 @@
-// Files that are opened: POSIX.1-2017, <fcntl.h>, <stdio.h>; fifo(7), random(4).
+// Files that are opened: POSIX.1-2017, <fcntl.h>, <stdio.h>; fifo(7), random(4), proc_uptime(5).
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -11,6 +11,7 @@
 #include "programs/waits/entropy.h"
 #include "programs/waits/kernel_call.h"
 #include "programs/waits/turn.h"
+#include "programs/waits/uptime.h"
 
 namespace {
 
@@ -31,6 +32,7 @@ bool waits_for_other_end(int folder, const char* path, int flags) {
 
 int open_file(int folder, const char* path, int flags, mode_t mode) {
   if (programs::waits::is_random_device(path)) return programs::waits::open_drawn(flags);
+  if (programs::waits::is_uptime_file(path)) return programs::waits::open_uptime(flags);
   const auto next = BARAKA_NEXT(openat);
   if (!waits_for_other_end(folder, path, flags)) return next(folder, path, flags, mode);
   programs::waits::KernelWait wait(programs::waits::kNever);

@@ -9,6 +9,7 @@
 #include <sys/sendfile.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
+#include <sys/sysinfo.h>
 #include <sys/time.h>
 #include <sys/timerfd.h>
 #include <sys/uio.h>
@@ -213,6 +214,7 @@ long answer_rare(long number, const Arguments& a) {
     errno = ENOSYS;  // those who ask for it have another way
     return -1;
   }
+  if (number == SYS_sysinfo) return sysinfo(pointer<struct sysinfo>(a[0]));
   for (const auto answer_some :
        {answer_files, answer_descriptors, answer_signals, answer_timers, answer_queues}) {
     const long result = answer_some(number, a);

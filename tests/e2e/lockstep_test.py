@@ -111,6 +111,20 @@ class Waits(Held):
         self.assertEqual(self.log("a", "count").strip(), "1")
 
 
+    def test_so_is_how_long_the_computer_has_been_on(self):
+        code = ("import time\ntime.sleep(5.25)\nboot = time.clock_gettime_ns(time.CLOCK_BOOTTIME)\n"
+                "print(boot, *open('/proc/uptime').read().split(), open('/proc/uptime', 'rb').read().decode().split()[0])")
+        self.run_held(scenario(self.folder, {"a": [
+            ("python", [PYTHON, "-c", code], ", on_exit: end"), ("cat", ["cat", "/proc/uptime"], ""),
+            ("uptime", ["uptime", "-p"], "")]}))
+        boot, up, idle, again = self.log("a", "python").split()
+        hundredths = int(boot) // 10_000_000
+        self.assertEqual((up, idle, again), (f"{hundredths // 100}.{hundredths % 100:02}", "0.00", up))
+        self.assertGreaterEqual(float(up), 1005.25)
+        self.assertRegex(self.log("a", "cat"), r"^1000\.0[01] 0\.00\n$")
+        self.assertEqual(self.log("a", "uptime"), "up 16 minutes\n")
+
+
 @unittest.skipIf(REFUSED, REFUSED)
 class Exact(Held):
     def echo(self, program=(PYTHON, "-c", ECHO), *more):
