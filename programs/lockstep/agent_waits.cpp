@@ -132,19 +132,30 @@ void AgentWaits::look_at_running(std::size_t i) {
   if (!settings_.allow_unknown) throw std::runtime_error(what);
   thread.is_in_unknown_call = true;
   ++counts_.unknown;
+  auto running = SlotState::kRunning;
+  slot(i).state.compare_exchange_strong(running, SlotState::kUnknown);
+}
+
+/// Whether it is in an unknown call still, so that the others need not wait for it.
+bool AgentWaits::is_in_unknown_call(std::size_t i) {
+  if (!threads_[i].is_in_unknown_call) return false;
+  const KernelState state = look(i);
+  if (state == KernelState::kGone) release(i);
+  if (state != KernelState::kAwake) return true;
+  if (slot(i).state.load() != SlotState::kUnknown) {
+    threads_[i].is_in_unknown_call = false;
+    threads_[i].asleep_since = 0;
+  }
+  return false;
 }
 
 bool AgentWaits::is_one_running(std::uint32_t seen) {
   bool is_one = false;
   for (std::size_t i = 0; i < used(); ++i) {
     const SlotState state = slot(i).state.load();
-    if (state != SlotState::kRunning && state != SlotState::kExpected) continue;
-    if (threads_[i].is_in_unknown_call) {
-      if (look(i) == KernelState::kAsleep) continue;
-      threads_[i].is_in_unknown_call = false;
-      threads_[i].asleep_since = 0;
-    }
-    is_one = true;
+    const bool is_busy = state == SlotState::kRunning || state == SlotState::kExpected ||
+                         state == SlotState::kUnknown;
+    if (is_busy && !is_in_unknown_call(i)) is_one = true;
   }
   if (!is_one) return false;
   wait_for_event(seen, 500 * kMicrosecond);
@@ -230,6 +241,7 @@ bool AgentWaits::are_all_asleep() {
 void AgentWaits::grant(std::size_t i) {
   ++counts_.turns;
   threads_[i].asleep_since = 0;
+  threads_[i].is_in_unknown_call = false;
   running_since_ = wall_time();
   has_warned_ = false;
   slot(i).state.store(SlotState::kRunning);

@@ -101,6 +101,7 @@ class AgentWaits {
   KernelState look(std::size_t i);
   bool is_one_running(std::uint32_t seen);
   void look_at_running(std::size_t i);
+  bool is_in_unknown_call(std::size_t i);
   bool are_all_asleep();
   bool is_asleep(std::size_t i);
   bool release_ended();

@@ -38,6 +38,7 @@ enum class SlotState : std::uint32_t {
   kWants,     ///< Has to go on: its wait has ended, or it is new. Waits for `grant`.
   kEnding,    ///< The thread is about to end; free once the kernel no longer knows it.
   kTimer,     ///< No thread: a timer, which the run lets expire at `deadline`.
+  kUnknown,  ///< Waits in a call that is not known to wait. Given by the run where that is allowed.
 };
 
 /// What a thread waits for.

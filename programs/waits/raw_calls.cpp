@@ -154,6 +154,7 @@ long transfer(long number, const Arguments& a) {
 long programs::waits::pass_on(long number, const Arguments& a) {
   constexpr long kMostErrors = 4095;
   const long result = kernel_call(number, a);
+  return_from_call();
   return result < 0 && result >= -kMostErrors ? failed(static_cast<int>(-result)) : result;
 }
 

@@ -260,6 +260,10 @@ void adopt(WaitSlot& slot) {
   want_to_go_on(slot);
 }
 
+void return_from_call() {
+  if (own != nullptr && own->state.load() == SlotState::kUnknown) want_to_go_on(*own);
+}
+
 void forget_own_slot() { own = nullptr; }
 
 WaitSlot* own_slot() {

@@ -40,6 +40,10 @@ void adopt(WaitSlot& slot);
 /// Forgets the slot of the thread that fork() copied. To be called in the child, before adopt().
 void forget_own_slot();
 
+/// After a system call that is not known to wait: if it has, and the run went on meanwhile, waits
+/// for this thread's turn.
+void return_from_call();
+
 /// Tells the run that a slot has changed.
 void tell_run();
 
