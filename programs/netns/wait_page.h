@@ -29,6 +29,9 @@ inline constexpr std::uint64_t kSendingObject = 5;
 /// The same of one that waits for a lock of a file, which is free, too, when a process ends.
 inline constexpr std::uint64_t kFileLockObject = 6;
 
+/// WaitSlot::expired of a wait that another thread has interrupted.
+inline constexpr std::uint32_t kInterrupted = 2;
+
 /// What a slot of a WaitPage says of its thread. The thread itself writes it, except where noted.
 enum class SlotState : std::uint32_t {
   kFree,      ///< Names no thread. Written by the run.
@@ -52,7 +55,7 @@ struct alignas(64) WaitSlot {
   std::atomic<SlotState> state;
   std::atomic<WaitKind> kind;
   std::atomic<std::uint32_t> grant;    ///< A futex; 1: the thread may go on. Set by the run.
-  std::atomic<std::uint32_t> expired;  ///< 1: its deadline has come. Set by the run.
+  std::atomic<std::uint32_t> expired;  ///< 1: its deadline has come. Set by the run. kInterrupted.
   std::atomic<std::int32_t> process;   ///< Numbers inside the agent; 0: not known yet.
   std::atomic<std::int32_t> thread;
   std::atomic<std::int64_t> deadline;  ///< Virtual time, ns; kNever: none.

@@ -13,6 +13,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/parking.h"
 #include "programs/waits/timers.h"
 #include "programs/waits/virtual_clock.h"
@@ -37,6 +38,7 @@ int lock_when_free(const Try& attempt) {
     if (status == 0 || (errno != EAGAIN && errno != EACCES)) return status;
     const auto deadline = programs::waits::deadline_in(kForOtherAgents);
     if (programs::waits::park(kFileLock, deadline) != Woken::kBySignal) continue;
+    programs::waits::cancellation_point();
     errno = EINTR;
     return -1;
   }

@@ -8,6 +8,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/descriptors.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -56,6 +57,7 @@ BARAKA_EXPORTED int sigtimedwait(const sigset_t* __restrict signals, siginfo_t* 
   KernelWait wait(programs::waits::deadline_in(timeout));
   const int signal = BARAKA_NEXT(sigwaitinfo)(signals, info);
   wait.end();
+  if (signal < 0) programs::waits::cancellation_point();
   if (signal < 0 && wait.has_expired()) errno = EAGAIN;
   return signal;
 }
@@ -79,13 +81,19 @@ BARAKA_EXPORTED int sigwait(const sigset_t* __restrict signals, int* __restrict 
 BARAKA_EXPORTED int pause() {
   if (own_slot() == nullptr) return BARAKA_NEXT(pause)();
   KernelWait wait(kNever);
-  return BARAKA_NEXT(pause)();
+  const int status = BARAKA_NEXT(pause)();
+  wait.end();
+  programs::waits::cancellation_point();
+  return status;
 }
 
 BARAKA_EXPORTED int sigsuspend(const sigset_t* signals) {
   if (own_slot() == nullptr) return BARAKA_NEXT(sigsuspend)(signals);
   KernelWait wait(kNever);
-  return BARAKA_NEXT(sigsuspend)(signals);
+  const int status = BARAKA_NEXT(sigsuspend)(signals);
+  wait.end();
+  programs::waits::cancellation_point();
+  return status;
 }
 
 namespace {

@@ -13,6 +13,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/parking.h"
 #include "programs/waits/signals.h"
 #include "programs/waits/virtual_clock.h"
@@ -69,6 +70,7 @@ BARAKA_EXPORTED ssize_t msgrcv(int queue, void* message, size_t size, long type,
     KernelWait wait(kNever);
     length = next(queue, message, size, type, flags);
     wait.end();
+    if (length < 0) programs::waits::cancellation_point();
   }
   if (length >= 0) wake_for_queues();
   return length;
@@ -81,6 +83,7 @@ BARAKA_EXPORTED int msgsnd(int queue, const void* message, size_t size, int flag
     const int status = next(queue, message, size, flags | IPC_NOWAIT);
     if (status == 0 || errno != EAGAIN || (flags & IPC_NOWAIT) != 0) return status;
     if (programs::waits::park(programs::waits::kQueueRoom, kNever) != Woken::kBySignal) continue;
+    programs::waits::cancellation_point();
     errno = EINTR;
     return -1;
   }

@@ -69,6 +69,8 @@ unsigned wake(std::uint64_t object, unsigned most);
 ///   const long result = call();
 ///   wait.end();                 // returns when it is this thread's turn; errno stays
 ///   if (wait.has_expired()) …
+///
+/// Meanwhile the thread is not cancelled; a cancellation_point() after it does that.
 class KernelWait {
  public:
   /// @param object  0, or netns::kSendingObject.
@@ -82,6 +84,7 @@ class KernelWait {
 
  private:
   WaitSlot& slot_;
+  int cancel_state_ = 0;
   bool is_over_ = false, expired_ = false;
 };
 

@@ -301,6 +301,49 @@ static void try_lock(void) {
 }
 static void by_rwlock_clockwrlock(void) { with(hold_lock, NULL, try_lock); }
 
+// ---- threads that are cancelled
+static int silent[2];
+static void* sleep_for_ever(void* unused) {
+  sleep(1000);
+  return unused;
+}
+static void* read_for_ever(void* unused) {
+  char byte;
+  (void)!read(silent[0], &byte, 1);
+  return unused;
+}
+static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;
+static pthread_cond_t never = PTHREAD_COND_INITIALIZER;
+static void give_guard(void* unused) {
+  (void)unused;
+  pthread_mutex_unlock(&guard);
+}
+static void* wait_for_ever(void* unused) {
+  pthread_mutex_lock(&guard);
+  pthread_cleanup_push(give_guard, NULL);
+  for (;;) pthread_cond_wait(&never, &guard);
+  pthread_cleanup_pop(1);
+  return unused;
+}
+static void cancel(void* (*function)(void*)) {
+  pthread_t thread;
+  pthread_create(&thread, NULL, function, NULL);
+  rest();
+  pthread_cancel(thread);
+  void* result = NULL;
+  pthread_join(thread, &result);
+  check(result == PTHREAD_CANCELED, "pthread_cancel");
+}
+static void by_cancelled_sleep(void) { cancel(sleep_for_ever); }
+static void by_cancelled_read(void) {
+  (void)!pipe(silent);
+  cancel(read_for_ever);
+}
+static void by_cancelled_condition(void) {
+  cancel(wait_for_ever);
+  check(pthread_mutex_trylock(&guard) == 0, "its mutex is given back");
+}
+
 const struct Kind object_kinds[] = {
     {"semop", by_semop, 1234567},
     {"semop for 0", by_semop_for_zero, 1234567},
@@ -321,6 +364,9 @@ const struct Kind object_kinds[] = {
     {"call_once", by_call_once, 1234567},
     {"sem_clockwait", by_sem_clockwait, 1234567},
     {"pthread_timedjoin_np", by_timedjoin, 1234567},
+    {"pthread_cancel of a sleep", by_cancelled_sleep, 1234567},
+    {"pthread_cancel of a read", by_cancelled_read, 1234567},
+    {"pthread_cancel of a condition", by_cancelled_condition, 1234567},
     {"pthread_rwlock_clockwrlock", by_rwlock_clockwrlock, 9000000},
 };
 const size_t object_kinds_count = sizeof object_kinds / sizeof *object_kinds;
