@@ -207,6 +207,7 @@ bool AgentWaits::is_asleep(std::size_t i) {
     const KernelState state = look(i);
     if (slot(i).state.load() != SlotState::kWaiting) break;
     if (state == KernelState::kAsleep) return true;
+    has_seen_awake_ = true;
     if (state == KernelState::kGone) {
       release(i);
       break;
@@ -222,6 +223,7 @@ bool AgentWaits::are_all_asleep() {
   looks_at_parked_ = looks_at_parked_ || signals != signals_;
   signals_ = signals;
   const bool looks_at_parked = std::exchange(looks_at_parked_, false);
+  has_seen_awake_ = false;
   bool are_all = true;
   for (std::size_t i = 0; i < used(); ++i) {
     const WaitSlot& one = slot(i);
@@ -235,7 +237,10 @@ bool AgentWaits::are_all_asleep() {
       are_all = false;
     }
   }
-  return are_all;
+  // A handler may have run in a thread that waits as before: it may have woken those that were
+  // looked at before it.
+  looks_at_parked_ = looks_at_parked_ || (looks_at_parked && has_seen_awake_);
+  return are_all && !looks_at_parked_;
 }
 
 void AgentWaits::grant(std::size_t i) {

@@ -122,6 +122,7 @@ class AgentWaits {
   AgentTasks tasks_;
   std::array<Thread, netns::WaitPage::kSlots> threads_;
   std::vector<std::size_t> ended_;
+  bool has_seen_awake_ = false;   ///< A thread that was looked at by are_all_asleep().
   bool looks_at_parked_ = false;  ///< A signal was sent: handlers may run in parked threads.
   std::uint32_t signals_ = 0;     ///< As WaitPage::signals was.
   std::int64_t running_since_ = 0, asked_at_ = 0;  ///< Wall time, ns.

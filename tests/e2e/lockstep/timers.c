@@ -284,6 +284,42 @@ static void by_sigwaitinfo_by_syscall(void) {
   check(syscall(SYS_rt_sigtimedwait, &set, NULL, NULL, 8) == SIGRTMIN + 8, "rt_sigtimedwait");
 }
 
+/// A handler that runs in a process that waits for its child, and goes on waiting, wakes this one.
+static int told[2];
+static void tell_by_pipe(int signal) {
+  (void)signal;
+  for (volatile int i = 0; i < 1000000; ++i) continue;
+  (void)!write(told[1], "x", 1);
+}
+static void wait_for_child_with_handler(void) {
+  sigaction(SIGUSR1, &(struct sigaction){.sa_handler = tell_by_pipe, .sa_flags = SA_RESTART}, NULL);
+  const sigset_t set = only(SIGUSR1);
+  sigprocmask(SIG_UNBLOCK, &set, NULL);
+  const pid_t child = fork();
+  if (child == 0) {
+    nanosleep(&(struct timespec){0, 9000000}, NULL);
+    _exit(0);
+  }
+  check(waitpid(child, NULL, 0) == child, "a wait for a child goes on after a handler");
+  _exit(0);
+}
+static void by_handler_of_another(void) {
+  (void)!pipe(told);
+  const pid_t other = fork();
+  if (other == 0) wait_for_child_with_handler();
+  const pid_t sender = fork();
+  if (sender == 0) {
+    nanosleep(&kLength, NULL);
+    kill(other, SIGUSR1);
+    _exit(0);
+  }
+  char byte;
+  (void)!read(told[0], &byte, 1);
+  kill(other, SIGKILL);
+  waitpid(other, NULL, 0);
+  waitpid(sender, NULL, 0);
+}
+
 const struct Kind timer_kinds[] = {
     {"timer_create", by_timer, 1234567},
     {"timer_create, periodic", by_periodic_timer, 3 * 1234567},
@@ -304,6 +340,7 @@ const struct Kind timer_kinds[] = {
     {"signalfd, epoll", by_epoll_of_signalfd, 1234567},
     {"signalfd, poll", by_poll_of_signalfd, 1234567},
     {"sigqueue", by_sigqueue, 1234567},
+    {"handler during a waitpid", by_handler_of_another, 1234567},
     {"sigsuspend", by_sigsuspend, 1234567},
     {"rt_sigtimedwait by syscall()", by_sigwaitinfo_by_syscall, 1234567},
 };
