@@ -315,11 +315,22 @@ class Refused(Held):
         self.assertEqual(self.query("SELECT value FROM run WHERE key = 'program_unknown_waits'"), [(1,)])
 
     def test_what_cannot_be_held_is_refused_to_the_program_and_said_once(self):
-        code = ("import ctypes, os\nc = ctypes.CDLL(None, use_errno=True)\n"
-                "for i in range(2): print(c.syscall(425, 8, 0), os.strerror(ctypes.get_errno()), flush=True)")
+        code = """
+import ctypes, os, struct
+c = ctypes.CDLL(None, use_errno=True)
+def call(name, *arguments):
+    print(name, getattr(c, name)(*arguments), os.strerror(ctypes.get_errno()), flush=True)
+for i in range(2):
+    call("syscall", 425, 8, 0)  # io_uring_setup
+call("syscall", 449, 0, 0, 0, None, 0)  # futex_waitv
+queue = c.mq_open(b"/queue", os.O_RDWR | os.O_CREAT, 0o600, None)
+call("mq_notify", queue, struct.pack("<qii48x", 0, 0, 2))  # SIGEV_THREAD
+"""
         self.run_held(scenario(self.folder, {"a": [("ring", [PYTHON, "-c", code], ", on_exit: end")]}))
         self.assertEqual(self.log("a", "ring"), "baraka: io_uring is not available in lock-step\n" +
-                         2 * "-1 Function not implemented\n")
+                         3 * "syscall -1 Function not implemented\n" +
+                         "baraka: mq_notify() with SIGEV_THREAD is not available in lock-step\n" +
+                         "mq_notify -1 Function not implemented\n")
 
     def test_a_program_that_never_waits_is_named(self):
         file = scenario(self.folder, {"a": [("busy", [PYTHON, "-c", "while True: pass"], "")]})

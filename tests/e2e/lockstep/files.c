@@ -209,13 +209,14 @@ static void write_parts(void) {
   check(writev(to[1], parts, 3) == sizeof bytes, "writev of more than a pipe holds");
 }
 static void by_writev(void) { with_pipes(read_slowly, write_parts); }
-static void send_file(void) {
+static void send_file_to(int target) {
   const int file = open("/tmp/waits.sent", O_RDWR | O_CREAT | O_TRUNC, 0600);
   (void)!write(file, bytes, sizeof bytes);
   off_t begin = 0;
-  check(sendfile(to[1], file, &begin, sizeof bytes) == sizeof bytes, "sendfile");
+  check(sendfile(target, file, &begin, sizeof bytes) == sizeof bytes, "sendfile");
   close(file);
 }
+static void send_file(void) { send_file_to(to[1]); }
 static void by_sendfile(void) { with_pipes(read_slowly, send_file); }
 /// A stream takes all of it, too, from one call; and gives as much as it is asked for.
 static int stream[2];
@@ -247,6 +248,8 @@ static void with_stream(void* (*other)(void*), void (*wait)(void)) {
   close(stream[0]);
   close(stream[1]);
 }
+static void send_file_by_stream(void) { send_file_to(stream[1]); }
+static void by_sendfile_to_socket(void) { with_stream(receive_slowly, send_file_by_stream); }
 static void by_sendmsg(void) { with_stream(receive_slowly, send_much); }
 static void by_recv_of_all(void) { with_stream(send_slowly, receive_much); }
 static void* open_later(void* unused) {
@@ -329,6 +332,7 @@ const struct Kind file_kinds[] = {
     {"write of much", by_write, 4 * 1234567},
     {"writev of much", by_writev, 4 * 1234567},
     {"sendfile", by_sendfile, 4 * 1234567},
+    {"sendfile to a socket", by_sendfile_to_socket, 1234567},
     {"sendmsg of much", by_sendmsg, 1234567},
     {"recv, MSG_WAITALL", by_recv_of_all, 4 * 1234567},
     {"open of a named pipe", by_named_pipe, 1234567},
