@@ -166,6 +166,23 @@ bool is_wanted(const aiocb* control) {
   return control != nullptr && control->aio_lio_opcode != LIO_NOP;
 }
 
+/// Somebody who is told when all of them are done; null: nobody has to be, or was already.
+ListOfRequests* told_of(aiocb* const list[], int count, const sigevent* event) {
+  if (event == nullptr) return nullptr;
+  const auto wanted = static_cast<int>(std::count_if(list, list + count, is_wanted));
+  if (wanted > 0) return new (std::nothrow) ListOfRequests{wanted, *event};
+  tell(*event);
+  return nullptr;
+}
+
+bool submit_all(aiocb* const list[], int count, ListOfRequests* group) {
+  bool are_all = true;
+  for (int i = 0; i < count; ++i) {
+    if (is_wanted(list[i]) && submit(list[i], list[i]->aio_lio_opcode, group) != 0) are_all = false;
+  }
+  return are_all;
+}
+
 }  // namespace
 
 BARAKA_EXPORTED int aio_read64(aiocb64* control) noexcept {
@@ -228,21 +245,12 @@ BARAKA_EXPORTED int lio_listio64(int mode, aiocb64* const list[], int count,
   if (own_slot() == nullptr) return BARAKA_NEXT(lio_listio64)(mode, list, count, event);
   if (mode != LIO_WAIT && mode != LIO_NOWAIT) return failed(EINVAL);
   auto* const all = reinterpret_cast<aiocb* const*>(list);
-  const auto wanted = static_cast<int>(std::count_if(all, all + count, is_wanted));
-  ListOfRequests* group = nullptr;
-  if (mode == LIO_NOWAIT && event != nullptr) {
-    if (wanted == 0) tell(*event);
-    if (wanted > 0) group = new (std::nothrow) ListOfRequests{wanted, *event};
-  }
-  bool are_all_well = true;
-  for (int i = 0; i < count; ++i) {
-    if (is_wanted(all[i]) && submit(all[i], all[i]->aio_lio_opcode, group) != 0)
-      are_all_well = false;
-  }
-  if (mode == LIO_NOWAIT) return are_all_well ? 0 : failed(EIO);
+  if (mode == LIO_NOWAIT)
+    return submit_all(all, count, told_of(all, count, event)) ? 0 : failed(EIO);
+  const bool are_submitted = submit_all(all, count, nullptr);
   if (const int error = wait_for_all(all, count); error != 0) return failed(error);
   const auto is_well = [](const aiocb* one) { return !is_wanted(one) || one->__error_code == 0; };
-  return are_all_well && std::all_of(all, all + count, is_well) ? 0 : failed(EIO);
+  return are_submitted && std::all_of(all, all + count, is_well) ? 0 : failed(EIO);
 }
 
 // What they take is the same where files are as large as they may be.

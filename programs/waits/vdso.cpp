@@ -40,7 +40,7 @@ constexpr std::array<Function, 4> kFunctions{{
 void take_over_vdso() {
   void* const library = dlopen("linux-vdso.so.1", RTLD_NOW | RTLD_NOLOAD);
   if (library == nullptr) return;
-  const char kMemory[] = "/proc/self/mem";
+  constexpr const char* kMemory = "/proc/self/mem";
   const long file = kernel_call(
       SYS_openat, {AT_FDCWD, reinterpret_cast<long>(kMemory), O_WRONLY | O_CLOEXEC, 0, 0, 0});
   if (file < 0) return;

@@ -9,6 +9,7 @@
 #include <nss.h>
 #include <poll.h>
 #include <resolv.h>
+#include <semaphore.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -293,6 +294,49 @@ static void list_aio(void) {
 }
 static void by_lio_listio(void) { with_pipes(write_later, list_aio); }
 
+static void hear_of_aio(void) {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGRTMIN + 9);
+  pthread_sigmask(SIG_BLOCK, &set, NULL);
+  prepare_aio();
+  control.aio_sigevent = (struct sigevent){.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGRTMIN + 9,
+                                           .sigev_value = {.sival_int = 12}};
+  check(aio_read(&control) == 0, "aio_read with a signal");
+  struct aiocb second = control;
+  check(aio_read(&second) == 0 && aio_cancel(from[0], &second) == AIO_CANCELED, "aio_cancel of what waits");
+  check(aio_error(&second) == ECANCELED && aio_cancel(from[0], &control) == AIO_NOTCANCELED, "aio_cancel of what is under way");
+  siginfo_t info;
+  for (int i = 0; i < 2; ++i)
+    check(sigwaitinfo(&set, &info) > 0 && info.si_code == SI_ASYNCIO && info.si_value.sival_int == 12, "its signal");
+  check(aio_return(&control) == 1, "what was read");
+}
+static void by_signal_of_aio(void) { with_pipes(write_later, hear_of_aio); }
+static sem_t all_done;
+static void post_all_done(union sigval value) {
+  (void)value;
+  sem_post(&all_done);
+}
+/// Two requests for one file, one after the other, and one for a pipe.
+static void hear_of_list(void) {
+  prepare_aio();
+  sem_init(&all_done, 0, 0);
+  const int file = open("/tmp/waits.aio", O_RDWR | O_CREAT | O_TRUNC, 0600);
+  struct aiocb first = {.aio_fildes = file, .aio_buf = (void*)"abcd", .aio_nbytes = 4, .aio_lio_opcode = LIO_WRITE};
+  struct aiocb second = {.aio_fildes = file, .aio_buf = (void*)"x", .aio_nbytes = 1, .aio_offset = 1, .aio_lio_opcode = LIO_WRITE};
+  first.aio_sigevent.sigev_notify = second.aio_sigevent.sigev_notify = control.aio_sigevent.sigev_notify = SIGEV_NONE;
+  struct aiocb* const list[] = {&first, &second, NULL, &control};
+  struct sigevent event = {.sigev_notify = SIGEV_THREAD};
+  event.sigev_notify_function = post_all_done;
+  check(lio_listio(LIO_NOWAIT, list, 4, &event) == 0, "lio_listio that does not wait");
+  sem_wait(&all_done);
+  char text[5] = "";
+  check(pread(file, text, 4, 0) == 4 && strcmp(text, "axcd") == 0, "what was written");
+  check(aio_return(&control) == 1, "what was read");
+  close(file);
+}
+static void by_thread_of_list(void) { with_pipes(write_later, hear_of_list); }
+
 // ---- the resolver
 /// Nobody answers at this port.
 static void by_getaddrinfo(void) {
@@ -338,6 +382,8 @@ const struct Kind file_kinds[] = {
     {"open of a named pipe", by_named_pipe, 1234567},
     {"aio_suspend", by_aio_suspend, 1234567},
     {"lio_listio", by_lio_listio, 1234567},
+    {"aio, signal", by_signal_of_aio, 1234567},
+    {"lio_listio, LIO_NOWAIT", by_thread_of_list, 1234567},
     {"getaddrinfo", by_getaddrinfo, 1000000000},
 };
 const size_t file_kinds_count = sizeof file_kinds / sizeof *file_kinds;
