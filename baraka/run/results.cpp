@@ -238,6 +238,7 @@ void Results::add(const network::NetworkSummary& network) {
     recorder_->set("program_turns", network.lockstep->counts.turns);
     recorder_->set("program_waits_ended", network.lockstep->counts.expired);
     recorder_->set("program_spins", network.lockstep->spins);
+    recorder_->set("program_unknown_waits", network.lockstep->counts.unknown);
   }
   auto& interfaces = *recorder_->find<results::record::InterfaceCounts>();
   for (const results::record::ProgramRow& program : network.programs) interfaces.add(program);

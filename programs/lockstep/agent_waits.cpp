@@ -2,23 +2,18 @@
 
 #include <fmt/format.h>
 #include <linux/futex.h>
-#include <sys/pidfd.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <ctime>
 #include <stdexcept>
 #include <utility>
 
-#include "programs/netns/descriptor.h"
-
 namespace programs::lockstep {
 namespace {
 
-using netns::kEndWait;
 using netns::SlotState;
 using netns::WaitKind;
 using netns::WaitPage;
@@ -34,15 +29,6 @@ std::int64_t wall_time() {
 
 void futex_wake(std::atomic<std::uint32_t>& word) {
   syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0);
-}
-
-/// To an eventfd of another process, as if its timer had expired.
-bool write_to(pid_t process, int descriptor) {
-  const netns::FileDescriptor handle(static_cast<int>(syscall(SYS_pidfd_open, process, 0)));
-  const netns::FileDescriptor file(
-      static_cast<int>(syscall(SYS_pidfd_getfd, handle.get(), descriptor, 0)));
-  constexpr std::uint64_t kOnce = 1;
-  return file.is_open() && write(file.get(), &kOnce, sizeof kOnce) == sizeof kOnce;
 }
 
 }  // namespace
@@ -115,8 +101,11 @@ void AgentWaits::release(std::size_t i) {
   if (one.thread.load() == one.process.load()) tasks_.forget(one.process.load());
   if (threads_[i].is_program) ended_.push_back(i);
   threads_[i] = {};
+  const pid_t process = one.process.load();
   one.process = one.thread = 0;
   one.state = SlotState::kFree;
+  release_timers(process);
+  wake(netns::kFileLockObject);
 }
 
 /// A thread that says that it runs, and sleeps, is in a call of which the library does not know
@@ -143,19 +132,30 @@ void AgentWaits::look_at_running(std::size_t i) {
   if (!settings_.allow_unknown) throw std::runtime_error(what);
   thread.is_in_unknown_call = true;
   ++counts_.unknown;
+  auto running = SlotState::kRunning;
+  slot(i).state.compare_exchange_strong(running, SlotState::kUnknown);
+}
+
+/// Whether it is in an unknown call still, so that the others need not wait for it.
+bool AgentWaits::is_in_unknown_call(std::size_t i) {
+  if (!threads_[i].is_in_unknown_call) return false;
+  const KernelState state = look(i);
+  if (state == KernelState::kGone) release(i);
+  if (state != KernelState::kAwake) return true;
+  if (slot(i).state.load() != SlotState::kUnknown) {
+    threads_[i].is_in_unknown_call = false;
+    threads_[i].asleep_since = 0;
+  }
+  return false;
 }
 
 bool AgentWaits::is_one_running(std::uint32_t seen) {
   bool is_one = false;
   for (std::size_t i = 0; i < used(); ++i) {
     const SlotState state = slot(i).state.load();
-    if (state != SlotState::kRunning && state != SlotState::kExpected) continue;
-    if (threads_[i].is_in_unknown_call) {
-      if (look(i) == KernelState::kAsleep) continue;
-      threads_[i].is_in_unknown_call = false;
-      threads_[i].asleep_since = 0;
-    }
-    is_one = true;
+    const bool is_busy = state == SlotState::kRunning || state == SlotState::kExpected ||
+                         state == SlotState::kUnknown;
+    if (is_busy && !is_in_unknown_call(i)) is_one = true;
   }
   if (!is_one) return false;
   wait_for_event(seen, 500 * kMicrosecond);
@@ -207,6 +207,7 @@ bool AgentWaits::is_asleep(std::size_t i) {
     const KernelState state = look(i);
     if (slot(i).state.load() != SlotState::kWaiting) break;
     if (state == KernelState::kAsleep) return true;
+    has_seen_awake_ = true;
     if (state == KernelState::kGone) {
       release(i);
       break;
@@ -222,6 +223,7 @@ bool AgentWaits::are_all_asleep() {
   looks_at_parked_ = looks_at_parked_ || signals != signals_;
   signals_ = signals;
   const bool looks_at_parked = std::exchange(looks_at_parked_, false);
+  has_seen_awake_ = false;
   bool are_all = true;
   for (std::size_t i = 0; i < used(); ++i) {
     const WaitSlot& one = slot(i);
@@ -235,12 +237,16 @@ bool AgentWaits::are_all_asleep() {
       are_all = false;
     }
   }
-  return are_all;
+  // A handler may have run in a thread that waits as before: it may have woken those that were
+  // looked at before it.
+  looks_at_parked_ = looks_at_parked_ || (looks_at_parked && has_seen_awake_);
+  return are_all && !looks_at_parked_;
 }
 
 void AgentWaits::grant(std::size_t i) {
   ++counts_.turns;
   threads_[i].asleep_since = 0;
+  threads_[i].is_in_unknown_call = false;
   running_since_ = wall_time();
   has_warned_ = false;
   slot(i).state.store(SlotState::kRunning);
@@ -279,47 +285,6 @@ bool AgentWaits::settle() {
   return false;
 }
 
-void AgentWaits::fire(std::size_t i) {
-  WaitSlot& one = slot(i);
-  const std::int64_t interval = one.interval.load();
-  one.deadline = interval > 0 ? one.deadline.load() + interval : netns::kNever;
-  const pid_t process = tasks_.outside(one.process.load());
-  const int signal = one.signal.load();
-  looks_at_parked_ = looks_at_parked_ || signal != 0;
-  const bool is_fired = process != 0 && (signal != 0 ? kill(process, signal) == 0
-                                                     : write_to(process, one.descriptor.load()));
-  if (!is_fired) release(i);
-}
-
-void AgentWaits::end_wait(std::size_t i) {
-  if (look(i) == KernelState::kGone) return;
-  const KernelThread& kernel = threads_[i].kernel;
-  syscall(SYS_tgkill, kernel.process(), kernel.thread(), kEndWait);
-}
-
-void AgentWaits::expire() {
-  const std::int64_t now = page_.now.load();
-  for (std::size_t i = 0; i < used(); ++i) {
-    WaitSlot& one = slot(i);
-    const SlotState state = one.state.load();
-    const bool is_due =
-        (state == SlotState::kWaiting || state == SlotState::kTimer) && one.deadline.load() <= now;
-    if (!is_due) continue;
-    ++counts_.expired;
-    if (state == SlotState::kTimer) {
-      fire(i);
-      continue;
-    }
-    one.deadline = netns::kNever;
-    one.expired = 1;
-    if (one.kind.load() == WaitKind::kParked) {
-      one.state = SlotState::kWants;
-    } else {
-      end_wait(i);
-    }
-  }
-}
-
 std::optional<std::int64_t> AgentWaits::deadline() const {
   std::int64_t earliest = netns::kNever;
   for (std::size_t i = 0; i < used(); ++i) {
@@ -340,13 +305,13 @@ bool AgentWaits::is_one_waiting(std::uint64_t object) const {
                      });
 }
 
-bool AgentWaits::wake_for_room() {
+bool AgentWaits::wake_for_room() { return wake(netns::kRoomObject); }
+
+bool AgentWaits::wake(std::uint64_t object) {
   bool is_one = false;
   for (std::size_t i = 0; i < used(); ++i) {
     WaitSlot& one = slot(i);
-    const bool waits =
-        one.object.load() == netns::kRoomObject && one.state.load() == SlotState::kWaiting;
-    if (!waits) continue;
+    if (one.object.load() != object || one.state.load() != SlotState::kWaiting) continue;
     one.state = SlotState::kWants;
     is_one = true;
   }

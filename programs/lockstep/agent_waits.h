@@ -18,7 +18,7 @@ namespace programs::lockstep {
 /// thread.
 ///
 ///   waits.set_time(now);
-///   waits.expire();
+///   while (waits.expire()) waits.settle();
 ///   waits.settle();                  // all wait again
 ///   next = waits.deadline();
 class AgentWaits {
@@ -44,8 +44,10 @@ class AgentWaits {
   void started(std::size_t slot, pid_t process);
   void not_started(std::size_t slot);
 
-  /// Ends the waits, and lets the timers expire, whose deadline is not after the virtual time.
-  void expire();
+  /// Ends the waits, and lets the timers expire, whose deadline is not after the virtual time. One
+  /// signal at a time for each process: which of two pending ones it takes first is the kernel's
+  /// affair. @return whether timers are left, which are to expire once all wait again.
+  bool expire();
 
   /// Lets threads that want to go on do so, the one with the lowest slot first, until all wait.
   /// @return false: broken off. @throws std::runtime_error  a thread waits in an unknown call, or a
@@ -99,14 +101,18 @@ class AgentWaits {
   KernelState look(std::size_t i);
   bool is_one_running(std::uint32_t seen);
   void look_at_running(std::size_t i);
+  bool is_in_unknown_call(std::size_t i);
   bool are_all_asleep();
   bool is_asleep(std::size_t i);
   bool release_ended();
   bool is_unsettled(std::uint32_t seen);
   void release(std::size_t i);
+  void release_timers(pid_t process);
   void grant(std::size_t i);
   void fire(std::size_t i);
+  void expire_wait(std::size_t i);
   void end_wait(std::size_t i);
+  bool wake(std::uint64_t object);
   void wait_for_event(std::uint32_t seen, std::int64_t longest);
   bool is_broken_off();
   void warn_of_long_run();
@@ -116,6 +122,7 @@ class AgentWaits {
   AgentTasks tasks_;
   std::array<Thread, netns::WaitPage::kSlots> threads_;
   std::vector<std::size_t> ended_;
+  bool has_seen_awake_ = false;   ///< A thread that was looked at by are_all_asleep().
   bool looks_at_parked_ = false;  ///< A signal was sent: handlers may run in parked threads.
   std::uint32_t signals_ = 0;     ///< As WaitPage::signals was.
   std::int64_t running_since_ = 0, asked_at_ = 0;  ///< Wall time, ns.

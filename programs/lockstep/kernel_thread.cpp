@@ -30,8 +30,9 @@ netns::FileDescriptor opened(const std::string& path) {
 /// Where threads wait for others: system calls of the library in programs/waits. Not those in which
 /// they wait for a disk.
 bool is_wait_for_others(std::string_view function) {
-  static constexpr std::array<std::string_view, 7> kFunctions{
-      "futex", "poll_", "do_poll", "do_select", "do_wait", "do_sigt", "sigsuspend"};
+  static constexpr std::array<std::string_view, 10> kFunctions{
+      "futex",   "poll_",      "do_poll",         "do_select", "do_wait",
+      "do_sigt", "sigsuspend", "__do_semtimedop", "do_msgrcv", "wait_for_partner"};
   return std::ranges::any_of(kFunctions,
                              [&](std::string_view one) { return function.starts_with(one); });
 }

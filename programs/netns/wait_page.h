@@ -26,6 +26,12 @@ inline constexpr std::uint64_t kRoomObject = 2;
 /// taken frames from the agent's interface.
 inline constexpr std::uint64_t kSendingObject = 5;
 
+/// The same of one that waits for a lock of a file, which is free, too, when a process ends.
+inline constexpr std::uint64_t kFileLockObject = 6;
+
+/// WaitSlot::expired of a wait that another thread has interrupted.
+inline constexpr std::uint32_t kInterrupted = 2;
+
 /// What a slot of a WaitPage says of its thread. The thread itself writes it, except where noted.
 enum class SlotState : std::uint32_t {
   kFree,      ///< Names no thread. Written by the run.
@@ -35,6 +41,7 @@ enum class SlotState : std::uint32_t {
   kWants,     ///< Has to go on: its wait has ended, or it is new. Waits for `grant`.
   kEnding,    ///< The thread is about to end; free once the kernel no longer knows it.
   kTimer,     ///< No thread: a timer, which the run lets expire at `deadline`.
+  kUnknown,  ///< Waits in a call that is not known to wait. Given by the run where that is allowed.
 };
 
 /// What a thread waits for.
@@ -48,7 +55,7 @@ struct alignas(64) WaitSlot {
   std::atomic<SlotState> state;
   std::atomic<WaitKind> kind;
   std::atomic<std::uint32_t> grant;    ///< A futex; 1: the thread may go on. Set by the run.
-  std::atomic<std::uint32_t> expired;  ///< 1: its deadline has come. Set by the run.
+  std::atomic<std::uint32_t> expired;  ///< 1: its deadline has come. Set by the run. kInterrupted.
   std::atomic<std::int32_t> process;   ///< Numbers inside the agent; 0: not known yet.
   std::atomic<std::int32_t> thread;
   std::atomic<std::int64_t> deadline;  ///< Virtual time, ns; kNever: none.
@@ -58,7 +65,12 @@ struct alignas(64) WaitSlot {
   std::atomic<std::int32_t> descriptor;  ///< kTimer: of an eventfd to be written; -1: none.
   std::atomic<std::int32_t> signal;      ///< kTimer: to be sent; 0: none.
   std::atomic<std::uint32_t> readings;   ///< Of the clock since its last wait: see WaitPage.
-  std::array<std::uint32_t, 11> reserved;
+  std::atomic<std::int32_t> timer;       ///< kTimer of timer_create(): its number; 0: another one.
+  std::atomic<std::uint64_t> value;      ///< kTimer: what its signal carries.
+  std::atomic<std::int32_t> target;      ///< kTimer: the thread that gets the signal; 0: any.
+  std::atomic<std::uint32_t> overruns;   ///< kTimer: expirations since its last signal was sent,
+                                         ///< which was still pending. Set by the run, too.
+  std::array<std::uint32_t, 6> reserved;
 };
 static_assert(sizeof(WaitSlot) == 128);
 

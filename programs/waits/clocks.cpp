@@ -9,6 +9,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/virtual_clock.h"
 
 namespace programs::waits {
@@ -86,10 +87,12 @@ BARAKA_EXPORTED int clock_nanosleep(clockid_t clock, int flags, const timespec* 
                                     timespec* left) {
   const bool is_ours = own_slot() != nullptr && programs::waits::start_of(clock) && is_time(time);
   if (!is_ours) return BARAKA_NEXT(clock_nanosleep)(clock, flags, time, left);
+  programs::waits::cancellation_point();
   const bool is_moment = (flags & TIMER_ABSTIME) != 0;
   const auto until =
       is_moment ? programs::waits::deadline_at(time, clock) : programs::waits::deadline_in(time);
   if (programs::waits::sleep_until(until)) return 0;
+  programs::waits::cancellation_point();
   if (!is_moment && left != nullptr)
     *left = programs::waits::to_timespec(until - programs::waits::now());
   return EINTR;

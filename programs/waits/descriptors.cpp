@@ -15,6 +15,7 @@
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
 #include "programs/preload/writable.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/virtual_clock.h"
 
 extern "C" {
@@ -67,6 +68,7 @@ bool is_blocking(int descriptor, int flags) {
 
 int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline,
                          const sigset_t* signals) {
+  cancellation_point();
   for (;;) {
     bool lacks_room = false;
     const int ready = look(descriptors, count, lacks_room);
@@ -85,7 +87,9 @@ int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline
     KernelWait wait(deadline, is_to_send(descriptors, count) ? netns::kSendingObject : 0);
     const int status = BARAKA_NEXT(ppoll)(descriptors, count, nullptr, &blocked);
     wait.end();
-    if (status < 0 && !(errno == EINTR && wait.has_expired())) return -1;
+    if (status >= 0 || (errno == EINTR && wait.has_expired())) continue;
+    cancellation_point();
+    return -1;
   }
 }
 
@@ -97,6 +101,7 @@ class Selection {
       : count_(count), sets_(sets), asked_(sets, count) {}
 
   int wait(Nanoseconds deadline, const sigset_t* signals) {
+    cancellation_point();
     for (;;) {
       bool lacks_room = false;
       const int ready = look(lacks_room);
@@ -136,7 +141,9 @@ class Selection {
     KernelWait wait(deadline, sets_.writable != nullptr ? netns::kSendingObject : 0);
     const int status = select_now(nullptr, &blocked);
     wait.end();
-    return status >= 0 || (errno == EINTR && wait.has_expired());
+    if (status >= 0 || (errno == EINTR && wait.has_expired())) return true;
+    cancellation_point();
+    return false;
   }
 
   int select_now(const timespec* timeout, const sigset_t* signals) {

@@ -11,8 +11,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstdarg>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -34,11 +32,6 @@ std::uint64_t mixed(std::uint64_t value) {
   return value ^ (value >> 31);
 }
 
-bool is_random_device(const char* path) {
-  return path != nullptr && own_slot() != nullptr &&
-         (std::strcmp(path, "/dev/urandom") == 0 || std::strcmp(path, "/dev/random") == 0);
-}
-
 /// By which the files below are known: no other file in memory has this seal alone.
 constexpr int kSeal = F_SEAL_SHRINK;
 
@@ -50,19 +43,6 @@ void fill(int file) {
     (void)!pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(done));
   }
 }
-
-/// A file in memory, which is_refilled() makes endless.
-int open_drawn(int flags) {
-  const unsigned kept = (flags & O_CLOEXEC) != 0 ? MFD_CLOEXEC : 0;
-  const int file = memfd_create("random", kept | MFD_ALLOW_SEALING);
-  if (file < 0) return file;
-  fill(file);
-  fcntl(file, F_ADD_SEALS, kSeal);
-  return file;
-}
-
-/// Of a call with optional arguments: whether the third is there.
-bool has_mode(int flags) { return (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE; }
 
 }  // namespace
 
@@ -90,6 +70,21 @@ void draw(void* bytes, std::size_t count) {
     const std::uint64_t drawn = draw();
     std::memcpy(to + i, &drawn, count - i < sizeof drawn ? count - i : sizeof drawn);
   }
+}
+
+bool is_random_device(const char* path) {
+  return path != nullptr && own_slot() != nullptr &&
+         (std::strcmp(path, "/dev/urandom") == 0 || std::strcmp(path, "/dev/random") == 0);
+}
+
+/// A file in memory, which is_refilled() makes endless.
+int open_drawn(int flags) {
+  const unsigned kept = (flags & O_CLOEXEC) != 0 ? MFD_CLOEXEC : 0;
+  const int file = memfd_create("random", kept | MFD_ALLOW_SEALING);
+  if (file < 0) return file;
+  fill(file);
+  fcntl(file, F_ADD_SEALS, kSeal);
+  return file;
 }
 
 }  // namespace programs::waits
@@ -130,38 +125,3 @@ BARAKA_EXPORTED unsigned random_device_value(void* device) {
   if (own_slot() == nullptr) return reinterpret_cast<Next>(next.find())(device);
   return static_cast<unsigned>(programs::waits::draw() >> 32);
 }
-
-/// The mode is an argument of those calls only that may make a file.
-#define BARAKA_MODE(flags)                                   \
-  mode_t mode = 0;                                           \
-  if (programs::waits::has_mode(flags)) {                    \
-    va_list arguments;                                       \
-    va_start(arguments, flags);                              \
-    mode = static_cast<mode_t>(va_arg(arguments, unsigned)); \
-    va_end(arguments);                                       \
-  }
-
-BARAKA_EXPORTED int open(const char* path, int flags, ...) {
-  BARAKA_MODE(flags)
-  if (programs::waits::is_random_device(path)) return programs::waits::open_drawn(flags);
-  return BARAKA_NEXT(open)(path, flags, mode);
-}
-
-BARAKA_EXPORTED int open64(const char* path, int flags, ...) {
-  BARAKA_MODE(flags)
-  if (programs::waits::is_random_device(path)) return programs::waits::open_drawn(flags);
-  return BARAKA_NEXT(open64)(path, flags, mode);
-}
-
-BARAKA_EXPORTED int openat(int folder, const char* path, int flags, ...) {
-  BARAKA_MODE(flags)
-  if (programs::waits::is_random_device(path)) return programs::waits::open_drawn(flags);
-  return BARAKA_NEXT(openat)(folder, path, flags, mode);
-}
-
-BARAKA_EXPORTED FILE* fopen(const char* path, const char* mode) {
-  if (!programs::waits::is_random_device(path)) return BARAKA_NEXT(fopen)(path, mode);
-  return fdopen(programs::waits::open_drawn(0), "r");
-}
-
-BARAKA_EXPORTED FILE* fopen64(const char* path, const char* mode) { return fopen(path, mode); }

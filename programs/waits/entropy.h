@@ -13,6 +13,13 @@ std::uint64_t draw();
 /// Bytes of draw().
 void draw(void* bytes, std::size_t count);
 
+/// Of null: no.
+bool is_random_device(const char* path);
+
+/// In its place: a file in memory, which is_refilled() makes endless.
+/// @param flags  of open(). @return as open().
+int open_drawn(int flags);
+
 /// The next draw() begins anew: in a process that fork() has made.
 void draw_anew();
 

@@ -14,6 +14,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/parking.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -93,15 +94,18 @@ clockid_t clock_of(const pthread_cond_t& condition) {
 }
 
 int wait_for_condition(pthread_cond_t* condition, pthread_mutex_t* mutex, Nanoseconds deadline) {
+  programs::waits::cancellation_point();
   const int error = pthread_mutex_unlock(mutex);
   if (error != 0) return error;
   const Woken woken = park(object_of(*condition), deadline);
   const int locked = pthread_mutex_lock(mutex);
   if (locked != 0) return locked;
+  if (woken == Woken::kBySignal) programs::waits::cancellation_point();
   return woken == Woken::kByDeadline ? ETIMEDOUT : 0;
 }
 
 int wait_for_semaphore(sem_t* semaphore, Nanoseconds deadline) {
+  programs::waits::cancellation_point();
   for (;;) {
     if (BARAKA_NEXT(sem_trywait)(semaphore) == 0) return 0;
     if (errno != EAGAIN) return -1;
@@ -113,6 +117,7 @@ int wait_for_semaphore(sem_t* semaphore, Nanoseconds deadline) {
         errno = ETIMEDOUT;
         return -1;
       case Woken::kBySignal:
+        programs::waits::cancellation_point();
         errno = EINTR;
         return -1;
     }

@@ -24,9 +24,10 @@
 extern "C" void return_from_handler();
 
 // How the kernel returns from the handler: rt_sigreturn, by an instruction that the net lets pass.
+// Those who unwind the stack (debuggers, libgcc) know a signal's frame by just these two.
 __asm__(
     ".text\n.local return_from_handler\n.type return_from_handler, @function\n"
-    "return_from_handler:\n  mov $15, %eax\n  syscall\n");
+    "return_from_handler:\n  mov $15, %rax\n  syscall\n");
 
 namespace programs::waits {
 namespace {

@@ -14,6 +14,8 @@ inline constexpr std::uint64_t kSleep = 1;                  ///< Nothing but the
 inline constexpr std::uint64_t kRoom = netns::kRoomObject;  ///< Room in the station's queue.
 /// A semaphore, lock or futex that processes share, whichever it is: those that wait look again.
 inline constexpr std::uint64_t kSharedObject = 3;
+inline constexpr std::uint64_t kQueueRoom = 4;  ///< Room in a message queue of System V.
+inline constexpr std::uint64_t kFileLock = netns::kFileLockObject;  ///< That a file may be locked.
 
 /// Of something in this process's own memory.
 std::uint64_t object_at(const volatile void* address);

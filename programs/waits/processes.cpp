@@ -16,6 +16,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/descriptors.h"
 #include "programs/waits/entropy.h"
 #include "programs/waits/turn.h"
@@ -97,11 +98,13 @@ int start(pid_t* process, char* const* environment, const Call& call) {
 /// Waits for a child, or until a handler has run.
 template <class Call>
 auto wait_for_child(int flags, const Call& call) {
+  programs::waits::cancellation_point();
   const auto at_once = call(flags | WNOHANG);
   if (at_once != 0 || (flags & WNOHANG) != 0 || own_slot() == nullptr) return at_once;
   programs::waits::KernelWait wait(programs::waits::kNever);
   const auto result = call(flags);
   wait.end();
+  programs::waits::cancellation_point();
   return result;
 }
 

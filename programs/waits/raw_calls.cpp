@@ -29,6 +29,7 @@
 namespace {
 
 using programs::waits::own_slot;
+using programs::waits::pass_on;
 using programs::waits::pointer;
 using programs::waits::Woken;
 
@@ -37,12 +38,6 @@ using programs::waits::Arguments;
 long failed(int error) {
   errno = error;
   return -1;
-}
-
-long pass_on(long number, const Arguments& a) {
-  constexpr long kMostErrors = 4095;
-  const long result = programs::waits::kernel_call(number, a);
-  return result < 0 && result >= -kMostErrors ? failed(static_cast<int>(-result)) : result;
 }
 
 std::uint64_t object_of(const Arguments& a) {
@@ -150,11 +145,18 @@ long transfer(long number, const Arguments& a) {
     case SYS_wait4:
       return wait4(first, pointer<int>(a[1]), static_cast<int>(a[2]), pointer<rusage>(a[3]));
     default:
-      return pass_on(number, a);
+      return programs::waits::answer_rare(number, a);
   }
 }
 
 }  // namespace
+
+long programs::waits::pass_on(long number, const Arguments& a) {
+  constexpr long kMostErrors = 4095;
+  const long result = kernel_call(number, a);
+  return_from_call();
+  return result < 0 && result >= -kMostErrors ? failed(static_cast<int>(-result)) : result;
+}
 
 long programs::waits::answer(long number, const Arguments& a) {
   const auto first = static_cast<int>(a[0]);

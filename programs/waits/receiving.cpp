@@ -1,12 +1,14 @@
 // What programs read and receive: POSIX.1-2017, <unistd.h>, <sys/uio.h>, <sys/socket.h>;
 // recvmmsg(2), and the times at which the kernel says that something came in: socket(7),
 // Documentation/networking/timestamping.rst of Linux.
+#include <limits.h>
 #include <linux/sockios.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdarg>
 #include <cstring>
@@ -15,6 +17,7 @@
 #include "programs/preload/intercepted.h"
 #include "programs/waits/descriptors.h"
 #include "programs/waits/entropy.h"
+#include "programs/waits/parts.h"
 #include "programs/waits/ports.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -46,13 +49,43 @@ bool wait_until_readable(int descriptor) {
   return ready > 0;
 }
 
+bool is_stream(int socket) {
+  int type = 0;
+  socklen_t size = sizeof type;
+  return BARAKA_NEXT(getsockopt)(socket, SOL_SOCKET, SO_TYPE, &type, &size) == 0 &&
+         type == SOCK_STREAM;
+}
+
+/// @param length  bytes that are asked for; with MSG_WAITALL a stream is to give as many.
+/// @param call  from a byte on, with flags.
 template <class Call>
-ssize_t receive(int socket, int flags, const Call& call) {
-  if (own_slot() == nullptr) return call(flags);
+ssize_t receive(int socket, int flags, std::size_t length, const Call& call) {
+  if (own_slot() == nullptr) return call(0, flags);
   const bool waits = is_blocking(socket, flags);
-  return until_done(
-      socket, POLLIN, waits, waits ? receive_deadline(socket) : 0,
-      [&](bool asks_not_to_wait) { return call(asks_not_to_wait ? flags | MSG_DONTWAIT : flags); });
+  const bool waits_for_all =
+      waits && (flags & (MSG_WAITALL | MSG_PEEK)) == MSG_WAITALL && is_stream(socket);
+  const auto deadline = waits ? receive_deadline(socket) : 0;
+  std::size_t received = 0;
+  for (;;) {
+    const ssize_t some = until_done(socket, POLLIN, waits, deadline, [&](bool no_wait) {
+      return call(received, no_wait ? flags | MSG_DONTWAIT : flags);
+    });
+    if (some <= 0) return received > 0 ? static_cast<ssize_t>(received) : some;
+    received += static_cast<std::size_t>(some);
+    if (!waits_for_all || received >= length) return static_cast<ssize_t>(received);
+  }
+}
+
+/// From a byte on; what comes beside the bytes comes with the first.
+ssize_t receive_rest(int socket, msghdr& message, std::size_t begin, int flags) {
+  if (begin == 0 || message.msg_iovlen > IOV_MAX)
+    return BARAKA_NEXT(recvmsg)(socket, &message, flags);
+  std::array<iovec, IOV_MAX> parts;
+  msghdr rest{};
+  rest.msg_iov = parts.data();
+  rest.msg_iovlen =
+      programs::waits::parts_from(message.msg_iov, message.msg_iovlen, begin, parts.data());
+  return BARAKA_NEXT(recvmsg)(socket, &rest, flags);
 }
 
 /// Everything comes in at the virtual time at which it is asked for: none passes in between.
@@ -90,14 +123,16 @@ void put_times(msghdr& message) {
 // NOLINTNEXTLINE(readability-function-size)
 BARAKA_EXPORTED ssize_t recvfrom(int socket, void* bytes, size_t length, int flags, sockaddr* from,
                                  socklen_t* from_length) {
-  return receive(socket, flags, [=](int with) {
-    return BARAKA_NEXT(recvfrom)(socket, bytes, length, with, from, from_length);
+  return receive(socket, flags, length, [=](std::size_t begin, int with) {
+    return BARAKA_NEXT(recvfrom)(socket, static_cast<char*>(bytes) + begin, length - begin, with,
+                                 from, from_length);
   });
 }
 
 BARAKA_EXPORTED ssize_t recv(int socket, void* bytes, size_t length, int flags) {
-  return receive(socket, flags,
-                 [=](int with) { return BARAKA_NEXT(recv)(socket, bytes, length, with); });
+  return receive(socket, flags, length, [=](std::size_t begin, int with) {
+    return BARAKA_NEXT(recv)(socket, static_cast<char*>(bytes) + begin, length - begin, with);
+  });
 }
 
 BARAKA_EXPORTED ssize_t checked_recv(int socket, void* bytes, size_t length, size_t size,
@@ -114,8 +149,10 @@ BARAKA_EXPORTED ssize_t checked_recvfrom(int socket, void* bytes, size_t length,
 }
 
 BARAKA_EXPORTED ssize_t recvmsg(int socket, msghdr* message, int flags) {
-  const ssize_t length =
-      receive(socket, flags, [=](int with) { return BARAKA_NEXT(recvmsg)(socket, message, with); });
+  if (message == nullptr) return BARAKA_NEXT(recvmsg)(socket, message, flags);
+  const ssize_t length = receive(
+      socket, flags, programs::waits::length_of(message->msg_iov, message->msg_iovlen),
+      [=](std::size_t begin, int with) { return receive_rest(socket, *message, begin, with); });
   if (length >= 0 && own_slot() != nullptr) put_times(*message);
   return length;
 }

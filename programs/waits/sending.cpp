@@ -1,9 +1,11 @@
 // What programs send and write: POSIX.1-2017, <sys/socket.h>, <sys/uio.h>, <unistd.h>; sendmmsg(2).
 // Datagrams are held back until there is room for them on the air, as programs/preload does.
+#include <limits.h>
 #include <sys/socket.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 
 #include "programs/preload/datagram.h"
@@ -11,6 +13,8 @@
 #include "programs/preload/intercepted.h"
 #include "programs/preload/room.h"
 #include "programs/waits/descriptors.h"
+#include "programs/waits/non_blocking.h"
+#include "programs/waits/parts.h"
 #include "programs/waits/ports.h"
 
 namespace {
@@ -19,14 +23,34 @@ using programs::preload::Datagram;
 using programs::preload::return_places;
 using programs::preload::room;
 using programs::waits::is_blocking;
+using programs::waits::length_of;
 using programs::waits::own_slot;
+using programs::waits::parts_from;
 using programs::waits::send_deadline;
 using programs::waits::until_done;
 
-/// What `call` sends once there is room for it on the air, and in the socket.
+/// Sends all of it, as a call does that may wait: a stream takes a part at a time.
+/// @param send_it  from a byte on, with flags.
+template <class Call>
+ssize_t send_whole(const Datagram& datagram, int flags, const Call& send_it) {
+  const int socket = datagram.socket;
+  const bool waits = is_blocking(socket, flags);
+  const auto deadline = waits ? send_deadline(socket) : 0;
+  std::size_t sent = 0;
+  for (;;) {
+    const ssize_t some = until_done(socket, POLLOUT, waits, deadline, [&](bool no_wait) {
+      return send_it(sent, no_wait ? flags | MSG_DONTWAIT : flags);
+    });
+    if (some < 0) return sent > 0 ? static_cast<ssize_t>(sent) : -1;
+    sent += static_cast<std::size_t>(some);
+    if (!waits || some == 0 || sent >= datagram.length) return static_cast<ssize_t>(sent);
+  }
+}
+
+/// What `send_it` sends once there is room for it on the air, and in the socket.
 template <class Call>
 ssize_t send_when_possible(const Datagram& datagram, int flags, const Call& send_it) {
-  if (own_slot() == nullptr) return send_it(flags);
+  if (own_slot() == nullptr) return send_it(0, flags);
   programs::waits::give_port(datagram.socket);
   const std::uint32_t frames = room() == nullptr ? 0 : programs::preload::frames_of(datagram);
   std::uint32_t places = 0;
@@ -37,38 +61,57 @@ ssize_t send_when_possible(const Datagram& datagram, int flags, const Call& send
       return -1;
     }
   }
-  const bool waits = is_blocking(datagram.socket, flags);
-  const ssize_t sent =
-      until_done(datagram.socket, POLLOUT, waits, waits ? send_deadline(datagram.socket) : 0,
-                 [&](bool no_wait) { return send_it(no_wait ? flags | MSG_DONTWAIT : flags); });
+  const ssize_t sent = send_whole(datagram, flags, send_it);
   const int kept = errno;
   if (frames != 0) return_places(places, sent >= 0);
   errno = kept;
   return sent;
 }
 
-/// What has no flags. A socket is sent to; anything else is written when it can take something.
-template <class Call, class Send>
-ssize_t write_when_possible(const Datagram& datagram, const Call& write_it, const Send& send_it) {
-  if (own_slot() == nullptr) return write_it();
-  int type = 0;
-  socklen_t size = sizeof type;
-  if (BARAKA_NEXT(getsockopt)(datagram.socket, SOL_SOCKET, SO_TYPE, &type, &size) == 0) {
-    return send_when_possible(datagram, 0, send_it);
-  }
-  if (is_blocking(datagram.socket, 0)) {
-    pollfd one{datagram.socket, POLLOUT, 0};
-    if (programs::waits::wait_for_descriptors(&one, 1, programs::waits::kNever, nullptr) < 0) {
-      return -1;
+/// Writes all of it, in as many steps as it takes.
+ssize_t write_in_steps(int descriptor, const iovec* parts, int count) {
+  std::array<iovec, IOV_MAX> rest;
+  std::size_t written = 0;
+  for (;;) {
+    const auto left =
+        static_cast<int>(parts_from(parts, static_cast<std::size_t>(count), written, rest.data()));
+    if (left == 0 && written > 0) return static_cast<ssize_t>(written);
+    ssize_t some = 0;
+    {
+      const programs::waits::NonBlocking target(descriptor);
+      some = BARAKA_NEXT(writev)(descriptor, rest.data(), left);
     }
+    if (some == 0) return static_cast<ssize_t>(written);
+    written += some > 0 ? static_cast<std::size_t>(some) : 0;
+    if (some > 0) continue;
+    pollfd one{descriptor, POLLOUT, 0};
+    const bool goes_on = errno == EAGAIN && programs::waits::wait_for_descriptors(
+                                                &one, 1, programs::waits::kNever, nullptr) > 0;
+    if (!goes_on) return written > 0 ? static_cast<ssize_t>(written) : -1;
   }
-  return write_it();
 }
 
-std::size_t length_of(const iovec* parts, std::size_t count) {
-  std::size_t length = 0;
-  for (std::size_t i = 0; i < count; ++i) length += parts[i].iov_len;
-  return length;
+/// What has no flags. A socket is sent to; anything else is written when it can take something: a
+/// little is then taken as a whole.
+template <class Call, class Send>
+ssize_t write_when_possible(const Datagram& datagram, const iovec* parts, int count,
+                            const Call& write_it, const Send& send_it) {
+  if (own_slot() == nullptr) return write_it();
+  const int descriptor = datagram.socket;
+  int type = 0;
+  socklen_t size = sizeof type;
+  if (BARAKA_NEXT(getsockopt)(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) == 0) {
+    return send_when_possible(datagram, 0, send_it);
+  }
+  if (!is_blocking(descriptor, 0) || programs::waits::is_over()) return write_it();
+  if (datagram.length > PIPE_BUF && count <= IOV_MAX) {
+    return write_in_steps(descriptor, parts, count);
+  }
+  pollfd one{descriptor, POLLOUT, 0};
+  if (programs::waits::wait_for_descriptors(&one, 1, programs::waits::kNever, nullptr) < 0) {
+    return -1;
+  }
+  return write_it();
 }
 
 Datagram datagram_of(int socket, const msghdr& message) {
@@ -76,27 +119,45 @@ Datagram datagram_of(int socket, const msghdr& message) {
           length_of(message.msg_iov, message.msg_iovlen)};
 }
 
+/// From a byte on; what goes beside the bytes goes with the first.
+ssize_t send_rest(int socket, const msghdr& message, std::size_t begin, int flags) {
+  if (begin == 0 || message.msg_iovlen > IOV_MAX)
+    return BARAKA_NEXT(sendmsg)(socket, &message, flags);
+  std::array<iovec, IOV_MAX> parts;
+  msghdr rest{};
+  rest.msg_name = message.msg_name;
+  rest.msg_namelen = message.msg_namelen;
+  rest.msg_iov = parts.data();
+  rest.msg_iovlen = parts_from(message.msg_iov, message.msg_iovlen, begin, parts.data());
+  return BARAKA_NEXT(sendmsg)(socket, &rest, flags);
+}
+
 }  // namespace
 
 BARAKA_EXPORTED ssize_t send(int socket, const void* bytes, size_t length, int flags) {
-  return send_when_possible({socket, nullptr, 0, nullptr, length}, flags, [=](int with) {
-    return BARAKA_NEXT(send)(socket, bytes, length, with);
-  });
+  return send_when_possible(
+      {socket, nullptr, 0, nullptr, length}, flags, [=](std::size_t begin, int with) {
+        return BARAKA_NEXT(send)(socket, static_cast<const char*>(bytes) + begin, length - begin,
+                                 with);
+      });
 }
 
 // POSIX gives it six parameters.
 // NOLINTNEXTLINE(readability-function-size)
 BARAKA_EXPORTED ssize_t sendto(int socket, const void* bytes, size_t length, int flags,
                                const sockaddr* to, socklen_t to_length) {
-  return send_when_possible({socket, to, to_length, nullptr, length}, flags, [=](int with) {
-    return BARAKA_NEXT(sendto)(socket, bytes, length, with, to, to_length);
-  });
+  return send_when_possible(
+      {socket, to, to_length, nullptr, length}, flags, [=](std::size_t begin, int with) {
+        return BARAKA_NEXT(sendto)(socket, static_cast<const char*>(bytes) + begin, length - begin,
+                                   with, to, to_length);
+      });
 }
 
 BARAKA_EXPORTED ssize_t sendmsg(int socket, const msghdr* message, int flags) {
   if (message == nullptr) return BARAKA_NEXT(sendmsg)(socket, message, flags);
-  return send_when_possible(datagram_of(socket, *message), flags,
-                            [=](int with) { return BARAKA_NEXT(sendmsg)(socket, message, with); });
+  return send_when_possible(datagram_of(socket, *message), flags, [=](std::size_t begin, int with) {
+    return send_rest(socket, *message, begin, with);
+  });
 }
 
 /// One after the other: only the first may find that there is no room.
@@ -113,22 +174,26 @@ BARAKA_EXPORTED int sendmmsg(int socket, mmsghdr* messages, unsigned count, int 
 }
 
 BARAKA_EXPORTED ssize_t write(int descriptor, const void* bytes, size_t length) {
+  const iovec whole{const_cast<void*>(bytes), length};
   return write_when_possible(
-      {descriptor, nullptr, 0, nullptr, length},
+      {descriptor, nullptr, 0, nullptr, length}, &whole, 1,
       [=] { return BARAKA_NEXT(write)(descriptor, bytes, length); },
-      [=](int flags) { return BARAKA_NEXT(send)(descriptor, bytes, length, flags); });
+      [=](std::size_t begin, int flags) {
+        return BARAKA_NEXT(send)(descriptor, static_cast<const char*>(bytes) + begin,
+                                 length - begin, flags);
+      });
 }
 
 BARAKA_EXPORTED ssize_t writev(int descriptor, const iovec* parts, int count) {
   if (count <= 0) return BARAKA_NEXT(writev)(descriptor, parts, count);
   const std::size_t length = length_of(parts, static_cast<std::size_t>(count));
   return write_when_possible(
-      {descriptor, nullptr, 0, nullptr, length},
+      {descriptor, nullptr, 0, nullptr, length}, parts, count,
       [=] { return BARAKA_NEXT(writev)(descriptor, parts, count); },
-      [=](int flags) {
+      [=](std::size_t begin, int flags) {
         msghdr message{};
         message.msg_iov = const_cast<iovec*>(parts);
         message.msg_iovlen = static_cast<std::size_t>(count);
-        return BARAKA_NEXT(sendmsg)(descriptor, &message, flags);
+        return send_rest(descriptor, message, begin, flags);
       });
 }

@@ -1,4 +1,6 @@
 // Waits for signals, and signals that are sent: POSIX.1-2017, <signal.h>, <unistd.h>; tgkill(2).
+#include "programs/waits/signals.h"
+
 #include <unistd.h>
 
 #include <cerrno>
@@ -6,6 +8,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/descriptors.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -17,28 +20,32 @@ using programs::waits::own_slot;
 
 constexpr timespec kNoTime{0, 0};
 
-/// While this lives, the run can end waits of the calling thread.
-class OpenToEnd {
- public:
-  OpenToEnd() {
-    sigset_t one;
-    sigemptyset(&one);
-    sigaddset(&one, programs::waits::kEndWait);
-    pthread_sigmask(SIG_UNBLOCK, &one, &before_);
-  }
-  ~OpenToEnd() {
-    const int kept = errno;
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-    errno = kept;
-  }
-  OpenToEnd(const OpenToEnd&) = delete;
-  OpenToEnd& operator=(const OpenToEnd&) = delete;
-
- private:
-  sigset_t before_{};
-};
-
 }  // namespace
+
+namespace programs::waits {
+
+OpenToEnd::OpenToEnd() {
+  sigset_t one;
+  sigemptyset(&one);
+  sigaddset(&one, kEndWait);
+  pthread_sigmask(SIG_UNBLOCK, &one, &before_);
+}
+
+OpenToEnd::~OpenToEnd() {
+  const int kept = errno;
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  errno = kept;
+}
+
+long told(long status) {
+  if (own_slot() != nullptr) {
+    page()->signals.fetch_add(1);
+    tell_run();
+  }
+  return status;
+}
+
+}  // namespace programs::waits
 
 BARAKA_EXPORTED int sigtimedwait(const sigset_t* __restrict signals, siginfo_t* __restrict info,
                                  const timespec* __restrict timeout) {
@@ -46,10 +53,11 @@ BARAKA_EXPORTED int sigtimedwait(const sigset_t* __restrict signals, siginfo_t* 
   if (own_slot() == nullptr) return next(signals, info, timeout);
   const int at_once = next(signals, info, &kNoTime);
   if (at_once >= 0 || errno != EAGAIN) return at_once;
-  const OpenToEnd open;
+  const programs::waits::OpenToEnd open;
   KernelWait wait(programs::waits::deadline_in(timeout));
   const int signal = BARAKA_NEXT(sigwaitinfo)(signals, info);
   wait.end();
+  if (signal < 0) programs::waits::cancellation_point();
   if (signal < 0 && wait.has_expired()) errno = EAGAIN;
   return signal;
 }
@@ -73,25 +81,24 @@ BARAKA_EXPORTED int sigwait(const sigset_t* __restrict signals, int* __restrict 
 BARAKA_EXPORTED int pause() {
   if (own_slot() == nullptr) return BARAKA_NEXT(pause)();
   KernelWait wait(kNever);
-  return BARAKA_NEXT(pause)();
+  const int status = BARAKA_NEXT(pause)();
+  wait.end();
+  programs::waits::cancellation_point();
+  return status;
 }
 
 BARAKA_EXPORTED int sigsuspend(const sigset_t* signals) {
   if (own_slot() == nullptr) return BARAKA_NEXT(sigsuspend)(signals);
   KernelWait wait(kNever);
-  return BARAKA_NEXT(sigsuspend)(signals);
+  const int status = BARAKA_NEXT(sigsuspend)(signals);
+  wait.end();
+  programs::waits::cancellation_point();
+  return status;
 }
 
 namespace {
 
-/// Handlers may run now in threads that are parked: the run is to look at these, too.
-int told(int status) {
-  if (own_slot() != nullptr) {
-    programs::waits::page()->signals.fetch_add(1);
-    programs::waits::tell_run();
-  }
-  return status;
-}
+int told(int status) { return static_cast<int>(programs::waits::told(status)); }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/parking.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -47,6 +48,7 @@ void* begin_c11(void* given) {
 /// @return 0, or ETIMEDOUT.
 int wait_for_end(pthread_t thread, programs::waits::Nanoseconds deadline) {
   while (!programs::waits::is_ending(thread)) {
+    programs::waits::cancellation_point();
     const auto woken = programs::waits::park(programs::waits::object_of(thread), deadline);
     if (woken == programs::waits::Woken::kByDeadline) return ETIMEDOUT;
     if (woken == programs::waits::Woken::kByThread) break;

@@ -1,5 +1,7 @@
 // Timers: POSIX.1-2017, <sys/time.h>, <unistd.h>; timerfd_create(2). The run lets them expire: it
 // writes to an eventfd(2) that stands in for the timer, or sends the signal.
+#include "programs/waits/timers.h"
+
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/time.h>
@@ -18,7 +20,6 @@ namespace {
 
 using programs::waits::kNever;
 using programs::waits::Nanoseconds;
-using programs::waits::now;
 using programs::waits::own_slot;
 using programs::waits::SlotState;
 using programs::waits::to_timespec;
@@ -37,23 +38,9 @@ WaitSlot* timer_of(int descriptor, int signal) {
   return nullptr;
 }
 
-WaitSlot& new_timer(int descriptor, int signal) {
-  WaitSlot& slot = programs::waits::take_slot(SlotState::kTimer);
-  slot.deadline = kNever;
-  slot.descriptor = descriptor;
-  slot.signal = signal;
-  slot.process = own_slot()->process.load();
-  return slot;
-}
-
-Nanoseconds left_of(const WaitSlot* timer) {
-  const Nanoseconds deadline = timer == nullptr ? kNever : timer->deadline.load();
-  return deadline == kNever ? 0 : std::max<Nanoseconds>(1, deadline - now());
-}
-
 itimerspec setting_of(const WaitSlot* timer) {
   if (timer == nullptr) return {};
-  return {to_timespec(timer->interval.load()), to_timespec(left_of(timer))};
+  return programs::waits::setting_of(timer->deadline.load(), timer->interval.load());
 }
 
 timeval to_timeval(Nanoseconds time) {
@@ -70,6 +57,35 @@ clockid_t clock_of(const WaitSlot& timer) { return static_cast<clockid_t>(timer.
 
 }  // namespace
 
+namespace programs::waits {
+
+WaitSlot& new_timer(int descriptor, int signal) {
+  WaitSlot& slot = take_slot(SlotState::kTimer);
+  slot.descriptor = descriptor;
+  slot.signal = signal;
+  slot.process = own_slot()->process.load();
+  return slot;
+}
+
+Nanoseconds first_expiration(const timespec& value, clockid_t clock, bool is_moment) {
+  if (value.tv_sec == 0 && value.tv_nsec == 0) return kNever;
+  return is_moment ? deadline_at(&value, clock) : deadline_in(&value);
+}
+
+itimerspec setting_of(Nanoseconds next, Nanoseconds interval) {
+  const Nanoseconds left = next == kNever ? 0 : std::max<Nanoseconds>(1, next - now());
+  return {to_timespec(interval), to_timespec(left)};
+}
+
+void close_timer(int descriptor) {
+  WaitSlot* const timer = own_slot() == nullptr ? nullptr : timer_of(descriptor, 0);
+  if (timer != nullptr) give_back_slot(*timer);
+}
+
+}  // namespace programs::waits
+
+using programs::waits::new_timer;
+
 BARAKA_EXPORTED int timerfd_create(clockid_t clock, int flags) noexcept {
   if (own_slot() == nullptr || !programs::waits::start_of(clock)) {
     return BARAKA_NEXT(timerfd_create)(clock, flags);
@@ -78,8 +94,7 @@ BARAKA_EXPORTED int timerfd_create(clockid_t clock, int flags) noexcept {
                        ((flags & TFD_CLOEXEC) != 0 ? EFD_CLOEXEC : 0);
   const int descriptor = eventfd(0, of_event);
   if (descriptor < 0) return descriptor;
-  WaitSlot* const old = timer_of(descriptor, 0);  // it was closed
-  if (old != nullptr) programs::waits::give_back_slot(*old);
+  programs::waits::close_timer(descriptor);  // by a way that is not known
   new_timer(descriptor, 0).thread = clock;
   return descriptor;
 }
@@ -103,12 +118,8 @@ BARAKA_EXPORTED int timerfd_settime(int descriptor, int flags, const itimerspec*
     (void)!BARAKA_NEXT(read)(descriptor, &expirations, sizeof expirations);
   }
   timer->interval = programs::waits::nanoseconds(setting->it_interval);
-  const bool is_armed = setting->it_value.tv_sec != 0 || setting->it_value.tv_nsec != 0;
-  const bool is_moment = (flags & TFD_TIMER_ABSTIME) != 0;
-  const Nanoseconds first = is_moment
-                                ? programs::waits::deadline_at(&setting->it_value, clock_of(*timer))
-                                : programs::waits::deadline_in(&setting->it_value);
-  timer->deadline = is_armed ? std::max(first, now() + 1) : kNever;
+  timer->deadline = programs::waits::first_expiration(setting->it_value, clock_of(*timer),
+                                                      (flags & TFD_TIMER_ABSTIME) != 0);
   return 0;
 }
 

@@ -16,8 +16,10 @@
 
 #include "programs/netns/room_page.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/cancellation.h"
 #include "programs/waits/net.h"
 #include "programs/waits/parking.h"
+#include "programs/waits/vdso.h"
 
 namespace programs::waits {
 namespace {
@@ -60,6 +62,10 @@ void clear(WaitSlot& slot) {
   slot.interval = 0;
   slot.object = 0;
   slot.kind = WaitKind::kParked;
+  slot.descriptor = -1;
+  slot.signal = slot.timer = slot.target = 0;
+  slot.value = 0;
+  slot.overruns = 0;
 }
 
 void name_thread(WaitSlot& slot) {
@@ -67,6 +73,7 @@ void name_thread(WaitSlot& slot) {
   slot.process = static_cast<std::int32_t>(system_call(SYS_getpid));
   slot.thread = static_cast<std::int32_t>(system_call(SYS_gettid));
   own = &slot;
+  note_handle(slot);
   pthread_setspecific(end_of_thread, &slot);
 }
 
@@ -139,6 +146,7 @@ __attribute__((constructor(101))) void register_process() {
   if (shared == nullptr) return;
   pthread_key_create(&end_of_thread, on_end_of_thread);
   set_handler(kEndWait, on_end_of_wait);
+  take_over_vdso();
   if (WaitSlot* const reserved = reserved_slot(); reserved != nullptr) return adopt(*reserved);
   if (WaitSlot* const kept = slot_of_this_thread(); kept != nullptr) {
     free_other_slots(*kept);
@@ -195,7 +203,14 @@ Woken wait_parked(WaitSlot& slot) {
   }
   slot.grant.store(0);
   if (is_interrupted) return Woken::kBySignal;
-  return slot.expired.load() != 0 ? Woken::kByDeadline : Woken::kByThread;
+  switch (slot.expired.load()) {
+    case 0:
+      return Woken::kByThread;
+    case netns::kInterrupted:
+      return Woken::kBySignal;
+    default:
+      return Woken::kByDeadline;
+  }
 }
 
 bool is_parked(const WaitSlot& slot, std::uint64_t object) {
@@ -254,6 +269,10 @@ void adopt(WaitSlot& slot) {
   want_to_go_on(slot);
 }
 
+void return_from_call() {
+  if (own != nullptr && own->state.load() == SlotState::kUnknown) want_to_go_on(*own);
+}
+
 void forget_own_slot() { own = nullptr; }
 
 WaitSlot* own_slot() {
@@ -309,6 +328,7 @@ unsigned wake(std::uint64_t object, unsigned most) {
 }
 
 KernelWait::KernelWait(Nanoseconds deadline, std::uint64_t object) : slot_(*own_slot()) {
+  pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &cancel_state_);
   start_to_wait(slot_);
   slot_.object.store(object);
   publish(slot_, WaitKind::kInKernel, deadline);
@@ -319,7 +339,8 @@ void KernelWait::end() {
   is_over_ = true;
   const int kept = errno;
   want_to_go_on(slot_);
-  expired_ = slot_.expired.load() != 0;
+  expired_ = slot_.expired.load() == 1;
+  pthread_setcancelstate(cancel_state_, nullptr);
   errno = kept;
 }
 

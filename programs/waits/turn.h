@@ -40,6 +40,10 @@ void adopt(WaitSlot& slot);
 /// Forgets the slot of the thread that fork() copied. To be called in the child, before adopt().
 void forget_own_slot();
 
+/// After a system call that is not known to wait: if it has, and the run went on meanwhile, waits
+/// for this thread's turn.
+void return_from_call();
+
 /// Tells the run that a slot has changed.
 void tell_run();
 
@@ -65,6 +69,8 @@ unsigned wake(std::uint64_t object, unsigned most);
 ///   const long result = call();
 ///   wait.end();                 // returns when it is this thread's turn; errno stays
 ///   if (wait.has_expired()) …
+///
+/// Meanwhile the thread is not cancelled; a cancellation_point() after it does that.
 class KernelWait {
  public:
   /// @param object  0, or netns::kSendingObject.
@@ -78,6 +84,7 @@ class KernelWait {
 
  private:
   WaitSlot& slot_;
+  int cancel_state_ = 0;
   bool is_over_ = false, expired_ = false;
 };
 

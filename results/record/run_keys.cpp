@@ -34,6 +34,9 @@ std::vector<RunKey> network_run_keys() {
       {"program_waits_ended", "", "programs in lock-step: waits that ended at their deadline"},
       {"program_spins", "",
        "programs in lock-step: how often a thread that only looked at the clock was put to sleep"},
+      {"program_unknown_waits", "",
+       "programs in lock-step: waits in calls that lock-step does not know, where they are "
+       "allowed"},
       {"warnings", "", "with networks: reasons to doubt this result, one per line"},
       {"open_loop", "", "of a repetition: the settings that differ from the recorded run"},
   };
@@ -94,12 +97,12 @@ const std::vector<RunKey>& run_keys() {
 }
 
 bool is_count(const RunKey& key) {
-  static constexpr std::array<std::string_view, 18> kCounts{
-      "exit_status",         "events",          "exchanges",        "refused_actions",
-      "ode_messages",        "overruns",        "missed_cycles",    "command_timeouts",
-      "lost_events",         "entering_frames", "leaving_frames",   "entering_late_frames",
-      "leaving_late_frames", "frames_dropped",  "frames_not_taken", "program_turns",
-      "program_waits_ended", "program_spins"};
+  static constexpr std::array<std::string_view, 19> kCounts{
+      "program_unknown_waits", "exit_status",         "events",          "exchanges",
+      "refused_actions",       "ode_messages",        "overruns",        "missed_cycles",
+      "command_timeouts",      "lost_events",         "entering_frames", "leaving_frames",
+      "entering_late_frames",  "leaving_late_frames", "frames_dropped",  "frames_not_taken",
+      "program_turns",         "program_waits_ended", "program_spins"};
   return std::ranges::find(kCounts, key.name) != kCounts.end();
 }
 

@@ -10,11 +10,18 @@ inline constexpr int kLeastPrefix = 8, kMostPrefix = 30;
 inline constexpr int kLeastMtu = 576, kMostMtu = 2296;
 inline constexpr int kLeastMtuOfIpv6 = 1280;  ///< RFC 8200, 5: minimum MTU of IPv6.
 
+/// What a program in lock-step does to the run if it waits in a call that lock-step does not know.
+enum class UnknownWaits : std::uint8_t {
+  kFail,
+  kAllow,  ///< Nothing: simulated time goes on without it until the call ends.
+};
+
 /// The interface `wlan0` of an agent, through which programs with sockets use its simulated radio.
 struct NetworkConfig {
   std::uint32_t address = 0;  ///< IPv4, host order.
   int prefix = 16;            ///< Length of the network prefix in bits.
   int mtu = 1500;             ///< Largest IP packet in bytes.
+  UnknownWaits unknown_waits = UnknownWaits::kFail;
   bool operator==(const NetworkConfig&) const = default;
 };
 

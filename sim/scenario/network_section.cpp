@@ -88,6 +88,20 @@ void interface_keys(Fields& io, NetworkConfig& c) {
   }
 }
 
+constexpr std::array kUnknownWaits = {
+    Option<air::UnknownWaits>{"fail", air::UnknownWaits::kFail},
+    Option<air::UnknownWaits>{"allow", air::UnknownWaits::kAllow}};
+
+void unknown_waits_key(Fields& io, NetworkConfig& c) {
+  io.choice({"unknown_waits",
+             "In lock-step, a program that waits in a call that lock-step does not know: `fail`: "
+             "the run fails and names both; `allow`: simulated time goes on without the program "
+             "until the call ends, at a time that depends on this computer; the result carries a "
+             "warning and counts them.",
+             "allow"},
+            kUnknownWaits, c.unknown_waits);
+}
+
 bool reaches(const NetworkConfig& from, const NetworkConfig& to) {
   return network_of(from) == (to.address & ~host_bits(from.prefix));
 }
@@ -138,6 +152,7 @@ void network_keys(Fields& io, std::span<AgentConfig> agents) {
   NetworkConfig first{.address = kDefaultNetwork | id};
   if (!agents.empty()) first = agents.front().network.value_or(first);
   interface_keys(io, first);
+  unknown_waits_key(io, first);
   if (io.reading() == nullptr) return;
   check_names(io, agents);
   NetworkConfig last = first;

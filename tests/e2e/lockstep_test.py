@@ -14,6 +14,7 @@ from baraka import BIN, ROOT, Case, send, wait_for
 
 REFUSED = wire.why_not()
 WAITS = BIN.parent / "tests/lockstep_waits"
+ECHO_IN_C = BIN.parent / "tests/lockstep_echo"
 STILL = BIN.parent / "tests/still"
 PYTHON = "/usr/bin/python3"
 SEEDS_OF_MIX = (1, 2)
@@ -37,13 +38,28 @@ for i in range(100):
 """
 
 
-def scenario(folder, agents, seed=1, record="{frames: all}"):
+# A thread waits for a lock that the kernel hands over with the priority of its owner, and gets it after 0.5 s: FUTEX_LOCK_PI and
+# FUTEX_UNLOCK_PI of futex(2), which nobody replaces.
+UNKNOWN_WAIT = """
+import ctypes, threading, time
+futex = lambda operation: ctypes.CDLL(None).syscall(202, ctypes.byref(word), operation, 0, None)
+word = ctypes.c_int(threading.get_native_id())
+other = threading.Thread(target=futex, args=(6,))
+other.start()
+time.sleep(0.5)
+futex(7)
+other.join()
+print("got it", time.clock_gettime(time.CLOCK_BOOTTIME))
+"""
+
+
+def scenario(folder, agents, seed=1, record="{frames: all}", network="{}"):
     """A file with stations 10 m apart. @param agents  {name: [(program, [word, ...], more)]}"""
     lines = ["version: 1", "name: held", f"seed: {seed}", "routing: none", f"record: {record}",
              f"radio: {{include: {ROOT}/config/radios/ieee80211g.yaml}}", "agents:"]
     for i, (name, programs) in enumerate(agents.items()):
         lines += [f"  {name}:", f"    name: {name}", "    station: {}", f"    poses: [{{x: {10 * i} m, y: 0 m}}]",
-                  "    network: {}", "    programs:"]
+                  f"    network: {network}", "    programs:"]
         for program, words, more in programs:
             quoted = ", ".join(repr(str(word)) if "\n" not in str(word) else '"' + str(word).replace("\\", "\\\\").replace(
                 '"', '\\"').replace("\n", "\\n") + '"' for word in words)
@@ -66,11 +82,14 @@ class Held(Case):
 class Waits(Held):
     def test_each_kind_of_wait_takes_exactly_as_long_as_it_says(self):
         self.run_held(scenario(self.folder, {"a": [("waits", [WAITS], ", on_exit: end")]}))
-        lines = [re.fullmatch(r"(.+): (\d+) (\d+)", line) for line in self.log("a", "waits").splitlines()]
-        source = (ROOT / "tests/e2e/lockstep/waits.c").read_text(encoding="utf-8")
-        kinds = re.findall(r'^    {"([^"]+)", \w+, ', source, re.M)
+        log = self.log("a", "waits")
+        self.assertNotIn("wrong", log)
+        lines = [re.fullmatch(r"(.+): (\d+) (\d+)", line) for line in log.splitlines()]
+        sources = [ROOT / f"tests/e2e/lockstep/{name}.c" for name in ("waits", "timers", "objects", "files")]
+        kinds = [kind for file in sources
+                 for kind in re.findall(r'^    {"([^"]+)", \w+, ', file.read_text(encoding="utf-8"), re.M)]
         self.assertEqual([line[1] for line in lines[:-1]], kinds)
-        self.assertGreaterEqual(len(kinds), 40)
+        self.assertGreaterEqual(len(kinds), 100)
         for line in lines:
             with self.subTest(line[1]):
                 took, expected = int(line[2]), int(line[3])
@@ -92,12 +111,26 @@ class Waits(Held):
         self.assertEqual(self.log("a", "count").strip(), "1")
 
 
+    def test_so_is_how_long_the_computer_has_been_on(self):
+        code = ("import time\ntime.sleep(5.25)\nboot = time.clock_gettime_ns(time.CLOCK_BOOTTIME)\n"
+                "print(boot, *open('/proc/uptime').read().split(), open('/proc/uptime', 'rb').read().decode().split()[0])")
+        self.run_held(scenario(self.folder, {"a": [
+            ("python", [PYTHON, "-c", code], ", on_exit: end"), ("cat", ["cat", "/proc/uptime"], ""),
+            ("uptime", ["uptime", "-p"], "")]}))
+        boot, up, idle, again = self.log("a", "python").split()
+        hundredths = int(boot) // 10_000_000
+        self.assertEqual((up, idle, again), (f"{hundredths // 100}.{hundredths % 100:02}", "0.00", up))
+        self.assertGreaterEqual(float(up), 1005.25)
+        self.assertRegex(self.log("a", "cat"), r"^1000\.0[01] 0\.00\n$")
+        self.assertEqual(self.log("a", "uptime"), "up 16 minutes\n")
+
+
 @unittest.skipIf(REFUSED, REFUSED)
 class Exact(Held):
-    def echo(self, *arguments):
-        file = scenario(self.folder, {"a": [("ping", [PYTHON, "-c", ECHO, "10.77.0.2"], ", on_exit: end")],
-                                      "b": [("pong", [PYTHON, "-c", ECHO], "")]})
-        finished = self.run_held(file, *arguments)
+    def echo(self, program=(PYTHON, "-c", ECHO), *more):
+        file = scenario(self.folder, {"a": [("ping", [*program, "10.77.0.2", *more], ", on_exit: end")],
+                                      "b": [("pong", program, "")]})
+        finished = self.run_held(file)
         return finished, [int(line) for line in self.log("a", "ping").split()]
 
     def expected(self):
@@ -118,6 +151,12 @@ class Exact(Held):
         self.assertGreater(len(set(took)), 5, "backoffs are drawn")
         self.assertEqual(finished["frames_dropped"], "0")
         self.assertGreater(int(finished["program_turns"]), 200)
+
+    def test_so_are_those_of_a_program_in_c(self):
+        finished, took = self.echo((ECHO_IN_C,), 1000)
+        self.assertEqual(len(took), 1000)
+        self.assertEqual(took[1:], self.expected()[1:])
+        self.assertEqual(finished["frames_dropped"], "0")
 
     def test_they_are_the_same_beside_busy_loops_and_when_repeated(self):
         alone = self.echo()
@@ -260,10 +299,38 @@ class Refused(Held):
         finished = self.run_held(ROOT / "config/scenarios/teleop_behind_a_wall.yaml", status=2)
         self.assertRegex(finished.err, "--pace: lockstep: the controllers of .* run inside their agents")
 
+    def unknown_wait(self, network, status=0):
+        agents = {"a": [("lock", [PYTHON, "-c", UNKNOWN_WAIT], ", on_exit: end")]}
+        return self.run_held(scenario(self.folder, agents, network=network), status=status)
+
     def test_a_wait_that_nobody_knows_fails_the_run_by_name(self):
-        words = ["sh", "-c", "flock /tmp/f sleep 2 & sleep 0.1; flock /tmp/f true"]
-        finished = self.run_held(scenario(self.folder, {"a": [("lock", words, ", on_exit: end")]}), status=1)
-        self.assertRegex(finished.err, r"error: a: flock waits in system call \d+ \(wchan \w+\), of which lock-step does not know")
+        finished = self.unknown_wait("{}", status=1)
+        self.assertRegex(finished.err, r"error: a: python3 waits in system call 202 \(wchan \w+\), of which lock-step does not know")
+
+    def test_or_is_counted_where_the_scenario_allows_it(self):
+        finished = self.unknown_wait("{unknown_waits: allow}")
+        self.assertIn("got it", self.log("a", "lock"))
+        self.assertEqual(finished["program_unknown_waits"], "1")
+        self.assertIn("1 waits of programs were in calls that lock-step does not know", finished.err)
+        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'program_unknown_waits'"), [(1,)])
+
+    def test_what_cannot_be_held_is_refused_to_the_program_and_said_once(self):
+        code = """
+import ctypes, os, struct
+c = ctypes.CDLL(None, use_errno=True)
+def call(name, *arguments):
+    print(name, getattr(c, name)(*arguments), os.strerror(ctypes.get_errno()), flush=True)
+for i in range(2):
+    call("syscall", 425, 8, 0)  # io_uring_setup
+call("syscall", 449, 0, 0, 0, None, 0)  # futex_waitv
+queue = c.mq_open(b"/queue", os.O_RDWR | os.O_CREAT, 0o600, None)
+call("mq_notify", queue, struct.pack("<qii48x", 0, 0, 2))  # SIGEV_THREAD
+"""
+        self.run_held(scenario(self.folder, {"a": [("ring", [PYTHON, "-c", code], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "ring"), "baraka: io_uring is not available in lock-step\n" +
+                         3 * "syscall -1 Function not implemented\n" +
+                         "baraka: mq_notify() with SIGEV_THREAD is not available in lock-step\n" +
+                         "mq_notify -1 Function not implemented\n")
 
     def test_a_program_that_never_waits_is_named(self):
         file = scenario(self.folder, {"a": [("busy", [PYTHON, "-c", "while True: pass"], "")]})

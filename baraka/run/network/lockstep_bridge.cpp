@@ -80,7 +80,9 @@ bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
                            const std::function<void(std::span<const std::uint8_t>)>& take) {
   AgentPrograms& one = of(agent);
   one.waits.set_time(nanoseconds(now));
-  one.waits.expire();
+  while (one.waits.expire()) {
+    if (!one.waits.settle()) return false;
+  }
   one.kernel.repeat(nanoseconds(now), take);
   // What is taken from the interface makes room in the sockets that it came from.
   bool goes_on = one.waits.settle();

@@ -134,6 +134,8 @@ void NetworkOfRun::note_begin(hal::Clock& wall) {
 
 LockstepBridge::Station NetworkOfRun::station(std::size_t i, pace::WallPace& pace) {
   const std::string& name = names_[i];
+  const auto& agents = scenario_.simulation.agents;
+  const auto agent = std::ranges::find(agents, agents_[i], &sim::agents::AgentConfig::id);
   return {.agent = agents_[i],
           .tap = namespaces_->tap(i),
           .room = &namespaces_->room(i),
@@ -141,6 +143,7 @@ LockstepBridge::Station NetworkOfRun::station(std::size_t i, pace::WallPace& pac
           .settings = {
               .agent = name,
               .processes = namespaces_->processes(i),
+              .allow_unknown = agent->network->unknown_waits == sim::air::UnknownWaits::kAllow,
               .may_go_on = [&pace] { return !pace.is_broken_off(); },
               .warn = [](const std::string& what) { hal::log::warning({}, "run", "{}", what); }}};
 }

@@ -86,6 +86,7 @@ void add_losses(const NetworkSummary& network, std::vector<std::string>& lines) 
 void print_held(const LockstepSummary& held) {
   fmt::print("program_turns: {}\nprogram_waits_ended: {}\nprogram_spins: {}\n", held.counts.turns,
              held.counts.expired, held.spins);
+  fmt::print("program_unknown_waits: {}\n", held.counts.unknown);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
-// Waits in as many ways as there are, and prints how long each took: "name nanoseconds expected".
-// In lock-step both are equal. One line for each kind, so that a missing one is seen.
-#define _GNU_SOURCE
+// Waits in as many ways as there are, and prints how long each took: "name: nanoseconds expected".
+// In lock-step both are equal. One line for each kind, so that a missing one is seen. More kinds are
+// in the other files of this folder.
+#include "kinds.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/futex.h>
@@ -26,25 +28,23 @@
 #include <time.h>
 #include <unistd.h>
 
-typedef int64_t Nanoseconds;
-
-static const Nanoseconds kShort = 1234567;  // ns: of a wait that ends by its time
-
-static Nanoseconds read_clock(clockid_t clock) {
+Nanoseconds read_clock(clockid_t clock) {
   struct timespec now;
   clock_gettime(clock, &now);
   return now.tv_sec * 1000000000LL + now.tv_nsec;
 }
 
-static struct timespec to_timespec(Nanoseconds time) {
+struct timespec to_timespec(Nanoseconds time) {
   return (struct timespec){time / 1000000000, time % 1000000000};
 }
 
-static struct timespec after(clockid_t clock, Nanoseconds length) {
+struct timespec after(clockid_t clock, Nanoseconds length) {
   return to_timespec(read_clock(clock) + length);
 }
 
-static const struct timespec kLength = {0, 1234567};
+void check(int is_right, const char* what) {
+  if (!is_right) printf("wrong: %s\n", what);
+}
 
 // ---- sleeps
 static void by_nanosleep(void) { nanosleep(&kLength, NULL); }
@@ -117,7 +117,7 @@ static pthread_t start(void* (*function)(void*), void* argument) {
   pthread_create(&thread, NULL, function, argument);
   return thread;
 }
-static void with(void* (*function)(void*), void* argument, void (*wait)(void)) {
+void with(void* (*function)(void*), void* argument, void (*wait)(void)) {
   const pthread_t thread = start(function, argument);
   wait();
   pthread_join(thread, NULL);
@@ -397,12 +397,6 @@ static void by_spinning(void) {
   while (read_clock(CLOCK_MONOTONIC) < end) continue;
 }
 
-struct Kind {
-  const char* name;
-  void (*wait)(void);
-  Nanoseconds expected;  // 0: the time is printed, and what it is to be not known here
-};
-
 static const struct Kind kinds[] = {
     {"nanosleep", by_nanosleep, 1234567},
     {"clock_nanosleep", by_clock_nanosleep, 1234567},
@@ -454,19 +448,28 @@ static const struct Kind kinds[] = {
     {"spinning on the clock", by_spinning, 0},
 };
 
+static void run(const struct Kind* all, size_t size, const char* only) {
+  for (size_t i = 0; i < size; ++i) {
+    if (only != NULL && strcmp(only, all[i].name) != 0) continue;
+    const Nanoseconds begin = read_clock(CLOCK_MONOTONIC);
+    all[i].wait();
+    const Nanoseconds length = read_clock(CLOCK_MONOTONIC) - begin;
+    printf("%s: %lld %lld\n", all[i].name, (long long)length, (long long)all[i].expected);
+    fflush(stdout);
+  }
+}
+
 int main(int count, char** arguments) {
   (void)!pipe(ends);
   socketpair(AF_UNIX, SOCK_DGRAM, 0, sockets);
   sem_init(&semaphore, 0, 0);
   pthread_barrier_init(&barrier, NULL, 2);
-  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i) {
-    if (count > 1 && strcmp(arguments[1], kinds[i].name) != 0) continue;
-    const Nanoseconds begin = read_clock(CLOCK_MONOTONIC);
-    kinds[i].wait();
-    const Nanoseconds length = read_clock(CLOCK_MONOTONIC) - begin;
-    printf("%s: %lld %lld\n", kinds[i].name, (long long)length, (long long)kinds[i].expected);
-    fflush(stdout);
-  }
-  printf("within pthread_mutex_timedlock: %lld %lld\n", (long long)within, (long long)kShort);
+  const char* const only = count > 1 ? arguments[1] : NULL;
+  run(kinds, sizeof kinds / sizeof *kinds, only);
+  run(timer_kinds, timer_kinds_count, only);
+  run(object_kinds, object_kinds_count, only);
+  run(file_kinds, file_kinds_count, only);
+  if (only == NULL)
+    printf("within pthread_mutex_timedlock: %lld %lld\n", (long long)within, (long long)kShort);
   return 0;
 }
