@@ -7,7 +7,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -158,8 +157,9 @@ void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& 
     return agent;
   };
   const auto has_tcp_timer = [this] {
-    return std::ranges::any_of(std::views::iota(std::size_t{0}, agents_.size()),
-                               [this](std::size_t i) { return namespaces_->has_tcp_timer(i); });
+    std::size_t i = 0;
+    while (i < agents_.size() && !namespaces_->has_tcp_timer(i)) ++i;
+    return i < agents_.size();
   };
   lockstep_.emplace(
       std::move(stations),
