@@ -108,11 +108,13 @@ long set_mask(ucontext_t& context, const Arguments& a) {
 constexpr unsigned long kRestorer = 0x04000000;  // SA_RESTORER
 
 /// The C library's way back from a handler is a system call as well, which must not be caught: the
-/// frame of the handler of SIGSYS would be taken for that of the program's handler.
+/// frame of the handler of SIGSYS would be taken for that of the program's handler. Nor may a
+/// handler block SIGSYS: the thread would die of its first call that is caught.
 long set_action(const Arguments& a) {
   if (a[0] == SIGSYS || a[0] == kEndWait) return 0;
   KernelAction action = *pointer<const KernelAction>(a[1]);
   if ((action.flags & kRestorer) != 0) action.restorer = return_from_handler;
+  action.mask &= ~bit_of(SIGSYS);
   return kernel_call(SYS_rt_sigaction,
                      {a[0], reinterpret_cast<long>(&action), a[2], a[3], a[4], a[5]});
 }
