@@ -199,13 +199,14 @@ bool AgentWaits::release_ended() {
   return is_one;
 }
 
-/// Looks until it is, or is no longer waiting. @return false: the latter.
+/// Looks until it is, or its slot says something else. @return false: the latter.
 bool AgentWaits::is_asleep(std::size_t i) {
   constexpr int kAtOnce = 4, kShortWaits = 16;
-  for (int looks = 0; slot(i).state.load() == SlotState::kWaiting; ++looks) {
+  const SlotState before = slot(i).state.load();
+  for (int looks = 0; slot(i).state.load() == before; ++looks) {
     const std::uint32_t seen = page_.event.load();
     const KernelState state = look(i);
-    if (slot(i).state.load() != SlotState::kWaiting) break;
+    if (slot(i).state.load() != before) break;
     if (state == KernelState::kAsleep) return true;
     if (state == KernelState::kGone) {
       release(i);
@@ -225,7 +226,9 @@ bool AgentWaits::are_all_asleep() {
   bool are_all = true;
   for (std::size_t i = 0; i < used(); ++i) {
     const WaitSlot& one = slot(i);
-    if (one.state.load() != SlotState::kWaiting) continue;
+    const SlotState state = one.state.load();
+    const bool may_handle = state == SlotState::kWants && looks_at_parked;
+    if (state != SlotState::kWaiting && !may_handle) continue;
     const std::uint64_t ticket = one.ticket.load();
     const bool is_known = threads_[i].ticket == ticket && !looks_at_parked;
     if (one.kind.load() == WaitKind::kParked && is_known) continue;

@@ -116,8 +116,9 @@ class AgentWaits {
   AgentTasks tasks_;
   std::array<Thread, netns::WaitPage::kSlots> threads_;
   std::vector<std::size_t> ended_;
-  bool looks_at_parked_ = false;  ///< A signal was sent: handlers may run in parked threads.
-  std::uint32_t signals_ = 0;     ///< As WaitPage::signals was.
+  /// A signal was sent: handlers may run in threads that are parked, or want to go on.
+  bool looks_at_parked_ = false;
+  std::uint32_t signals_ = 0;                      ///< As WaitPage::signals was.
   std::int64_t running_since_ = 0, asked_at_ = 0;  ///< Wall time, ns.
   bool has_warned_ = false;
   Counts counts_;

@@ -105,6 +105,18 @@ long clone_of(const Arguments& a) {
   return is_process ? fork() : failed(ENOSYS);
 }
 
+long send_signal(long number, const Arguments& a) {
+  const auto first = static_cast<int>(a[0]), second = static_cast<int>(a[1]);
+  switch (number) {
+    case SYS_kill:
+      return kill(first, second);
+    case SYS_tgkill:
+      return tgkill(first, second, static_cast<int>(a[2]));
+    default:
+      return pass_on(number, a);
+  }
+}
+
 /// Those of descriptors.
 long transfer(long number, const Arguments& a) {
   const auto first = static_cast<int>(a[0]);
@@ -150,7 +162,7 @@ long transfer(long number, const Arguments& a) {
     case SYS_wait4:
       return wait4(first, pointer<int>(a[1]), static_cast<int>(a[2]), pointer<rusage>(a[3]));
     default:
-      return pass_on(number, a);
+      return send_signal(number, a);
   }
 }
 

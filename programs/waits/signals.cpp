@@ -84,12 +84,14 @@ BARAKA_EXPORTED int sigsuspend(const sigset_t* signals) {
 
 namespace {
 
-/// Handlers may run now in threads that are parked: the run is to look at these, too.
+/// What the signal does, the end of a process or a handler, is over before anybody goes on, this
+/// thread included: the run looks at all threads then, those that are parked, too.
 int told(int status) {
-  if (own_slot() != nullptr) {
-    programs::waits::page()->signals.fetch_add(1);
-    programs::waits::tell_run();
-  }
+  if (own_slot() == nullptr) return status;
+  const int kept = errno;
+  programs::waits::page()->signals.fetch_add(1);
+  programs::waits::give_turn_away();
+  errno = kept;
   return status;
 }
 

@@ -332,6 +332,11 @@ bool sleep_until(Nanoseconds until) {
   return park(kSleep, until) == Woken::kByDeadline;
 }
 
+void give_turn_away() {
+  WaitSlot* const slot = own_slot();
+  if (slot != nullptr && slot->state.load() == SlotState::kRunning) want_to_go_on(*slot);
+}
+
 void count_look(unsigned weight) {
   constexpr std::uint32_t kMost = 2000;
   constexpr Nanoseconds kStep = 10'000;

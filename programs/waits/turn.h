@@ -84,6 +84,10 @@ class KernelWait {
 /// Sleeps until a virtual time. @return false: a handler of the program has run before.
 bool sleep_until(Nanoseconds until);
 
+/// Lets those go on that want to; returns when it is this thread's turn again. In a handler that
+/// runs while its thread waits: at once.
+void give_turn_away();
+
 /// Counts looks at the clock, or without waiting at descriptors: a thread that does nothing else
 /// would keep virtual time from passing, so after many of them it sleeps for a short while.
 void count_look(unsigned weight);
