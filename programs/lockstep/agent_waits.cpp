@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <csignal>
 #include <ctime>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -115,8 +116,26 @@ void AgentWaits::release(std::size_t i) {
   if (one.thread.load() == one.process.load()) tasks_.forget(one.process.load());
   if (threads_[i].is_program) ended_.push_back(i);
   threads_[i] = {};
-  one.process = one.thread = 0;
+  const pid_t process = one.process.exchange(0);
+  one.thread = 0;
   one.state = SlotState::kFree;
+  if (process != 0) release_timers(process);
+}
+
+/// If it has no threads any more.
+void AgentWaits::release_timers(pid_t process) {
+  const std::span all(page_.slots.data(), used());
+  const auto is_of_process = [process](const WaitSlot& one) {
+    return one.process.load() == process;
+  };
+  const auto is_timer = [](const WaitSlot& one) { return one.state.load() == SlotState::kTimer; };
+  if (std::ranges::any_of(all, [&](auto& one) { return is_of_process(one) && !is_timer(one); }))
+    return;
+  for (WaitSlot& one : all) {
+    if (!is_of_process(one) || !is_timer(one)) continue;
+    one.process = one.thread = 0;
+    one.state = SlotState::kFree;
+  }
 }
 
 /// A thread that says that it runs, and sleeps, is in a call of which the library does not know

@@ -104,9 +104,12 @@ class AgentWaits {
   bool release_ended();
   bool is_unsettled(std::uint32_t seen);
   void release(std::size_t i);
+  void release_timers(pid_t process);
   void grant(std::size_t i);
+  void see_all_asleep();
   void fire(std::size_t i);
   void end_wait(std::size_t i);
+  void interrupt(std::size_t i);
   void wait_for_event(std::uint32_t seen, std::int64_t longest);
   bool is_broken_off();
   void warn_of_long_run();
