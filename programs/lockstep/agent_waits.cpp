@@ -301,19 +301,42 @@ bool AgentWaits::settle() {
   return false;
 }
 
+void AgentWaits::see_all_asleep() {
+  do {
+    looks_at_parked_ = true;
+  } while (!are_all_asleep() && !is_broken_off());
+}
+
+/// A handler is over before the next timer expires, and begins after all have seen that their waits
+/// have ended.
 void AgentWaits::fire(std::size_t i) {
   WaitSlot& one = slot(i);
   const std::int64_t interval = one.interval.load();
   one.deadline = interval > 0 ? one.deadline.load() + interval : netns::kNever;
   const pid_t process = tasks_.outside(one.process.load());
   const int signal = one.signal.load();
-  looks_at_parked_ = looks_at_parked_ || signal != 0;
+  if (signal != 0) see_all_asleep();
   const bool is_fired = process != 0 && (signal != 0 ? kill(process, signal) == 0
                                                      : write_to(process, one.descriptor.load()));
+  if (signal != 0) see_all_asleep();
   if (!is_fired) release(i);
 }
 
 void AgentWaits::end_wait(std::size_t i) {
+  WaitSlot& one = slot(i);
+  // A frame that came in at this very instant may have ended it.
+  if (one.kind.load() == WaitKind::kInKernel && !is_asleep(i)) return;
+  ++counts_.expired;
+  one.deadline = netns::kNever;
+  one.expired = 1;
+  if (one.kind.load() == WaitKind::kParked) {
+    one.state = SlotState::kWants;
+  } else {
+    interrupt(i);
+  }
+}
+
+void AgentWaits::interrupt(std::size_t i) {
   if (look(i) == KernelState::kGone) return;
   const KernelThread& kernel = threads_[i].kernel;
   syscall(SYS_tgkill, kernel.process(), kernel.thread(), kEndWait);
@@ -321,24 +344,16 @@ void AgentWaits::end_wait(std::size_t i) {
 
 void AgentWaits::expire() {
   const std::int64_t now = page_.now.load();
+  const auto is_due = [&](std::size_t i, SlotState state) {
+    return slot(i).state.load() == state && slot(i).deadline.load() <= now;
+  };
   for (std::size_t i = 0; i < used(); ++i) {
-    WaitSlot& one = slot(i);
-    const SlotState state = one.state.load();
-    const bool is_due =
-        (state == SlotState::kWaiting || state == SlotState::kTimer) && one.deadline.load() <= now;
-    if (!is_due) continue;
+    if (is_due(i, SlotState::kWaiting)) end_wait(i);
+  }
+  for (std::size_t i = 0; i < used(); ++i) {
+    if (!is_due(i, SlotState::kTimer)) continue;
     ++counts_.expired;
-    if (state == SlotState::kTimer) {
-      fire(i);
-      continue;
-    }
-    one.deadline = netns::kNever;
-    one.expired = 1;
-    if (one.kind.load() == WaitKind::kParked) {
-      one.state = SlotState::kWants;
-    } else {
-      end_wait(i);
-    }
+    fire(i);
   }
 }
 
@@ -381,7 +396,7 @@ void AgentWaits::let_go() {
     WaitSlot& one = slot(i);
     if (one.state.load() == SlotState::kWants) grant(i);
     const bool is_timed = one.state.load() == SlotState::kWaiting && one.deadline != netns::kNever;
-    if (is_timed && one.kind.load() == WaitKind::kInKernel) end_wait(i);
+    if (is_timed && one.kind.load() == WaitKind::kInKernel) interrupt(i);
   }
 }
 
