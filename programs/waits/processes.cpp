@@ -127,6 +127,8 @@ BARAKA_EXPORTED pid_t fork() noexcept {
   WaitSlot& slot = programs::waits::take_slot(programs::waits::SlotState::kExpected);
   const pid_t child = BARAKA_NEXT(fork)();
   if (child < 0) programs::waits::give_back_slot(slot);
+  std::int32_t unknown = 0;  // it may be killed before it says
+  if (child > 0) slot.process.compare_exchange_strong(unknown, child);
   if (child == 0) {
     programs::waits::forget_own_slot();
     programs::waits::adopt(slot);
