@@ -1,10 +1,13 @@
 // What programs send and write: POSIX.1-2017, <sys/socket.h>, <sys/uio.h>, <unistd.h>; sendmmsg(2).
 // Datagrams are held back until there is room for them on the air, as programs/preload does.
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 
 #include "programs/preload/datagram.h"
 #include "programs/preload/exported.h"
@@ -47,28 +50,63 @@ ssize_t send_when_possible(const Datagram& datagram, int flags, const Call& send
   return sent;
 }
 
-/// What has no flags. A socket is sent to; anything else is written when it can take something.
-template <class Call, class Send>
-ssize_t write_when_possible(const Datagram& datagram, const Call& write_it, const Send& send_it) {
-  if (own_slot() == nullptr) return write_it();
+bool is_socket(int descriptor) {
   int type = 0;
   socklen_t size = sizeof type;
-  if (BARAKA_NEXT(getsockopt)(datagram.socket, SOL_SOCKET, SO_TYPE, &type, &size) == 0) {
-    return send_when_possible(datagram, 0, send_it);
-  }
-  if (is_blocking(datagram.socket, 0)) {
-    pollfd one{datagram.socket, POLLOUT, 0};
-    if (programs::waits::wait_for_descriptors(&one, 1, programs::waits::kNever, nullptr) < 0) {
-      return -1;
-    }
-  }
-  return write_it();
+  return BARAKA_NEXT(getsockopt)(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) == 0;
+}
+
+/// @return false: with errno, what the call ends with.
+bool wait_until_writable(int descriptor) {
+  pollfd one{descriptor, POLLOUT, 0};
+  return programs::waits::wait_for_descriptors(&one, 1, programs::waits::kNever, nullptr) >= 0;
+}
+
+/// What is no socket is written when it can take something. More than a pipe takes then at least,
+/// PIPE_BUF, would wait inside the kernel.
+template <class Call>
+ssize_t write_when_possible(int descriptor, std::size_t length, const Call& write_it) {
+  struct stat status {};
+  const bool may_wait = length > PIPE_BUF && is_blocking(descriptor, 0) &&
+                        fstat(descriptor, &status) == 0 && S_ISFIFO(status.st_mode);
+  std::size_t written = 0;
+  do {
+    if (is_blocking(descriptor, 0) && !wait_until_writable(descriptor)) break;
+    const std::size_t left = length - written;
+    const ssize_t count =
+        write_it(written, may_wait ? std::min<std::size_t>(left, PIPE_BUF) : left);
+    if (count < 0) break;
+    written += static_cast<std::size_t>(count);
+    if (!may_wait) return count;
+  } while (written < length);
+  return written > 0 ? static_cast<ssize_t>(written) : -1;
 }
 
 std::size_t length_of(const iovec* parts, std::size_t count) {
   std::size_t length = 0;
   for (std::size_t i = 0; i < count; ++i) length += parts[i].iov_len;
   return length;
+}
+
+/// Of a stream that has taken a part: all calls that wait, wait until it has taken everything.
+ssize_t send_rest(int socket, const iovec* parts, std::size_t count, int flags, ssize_t sent) {
+  if (sent < 0 || static_cast<std::size_t>(sent) >= length_of(parts, count)) return sent;
+  if (own_slot() == nullptr || !is_blocking(socket, flags)) return sent;
+  auto skipped = static_cast<std::size_t>(sent);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto* const begin = static_cast<const char*>(parts[i].iov_base);
+    while (skipped < parts[i].iov_len) {
+      const std::size_t left = parts[i].iov_len - skipped;
+      const ssize_t some = send_when_possible(
+          {socket, nullptr, 0, nullptr, left}, flags,
+          [=](int with) { return BARAKA_NEXT(send)(socket, begin + skipped, left, with); });
+      if (some < 0) return sent;
+      sent += some;
+      skipped += static_cast<std::size_t>(some);
+    }
+    skipped -= parts[i].iov_len;
+  }
+  return sent;
 }
 
 Datagram datagram_of(int socket, const msghdr& message) {
@@ -79,24 +117,26 @@ Datagram datagram_of(int socket, const msghdr& message) {
 }  // namespace
 
 BARAKA_EXPORTED ssize_t send(int socket, const void* bytes, size_t length, int flags) {
-  return send_when_possible({socket, nullptr, 0, nullptr, length}, flags, [=](int with) {
-    return BARAKA_NEXT(send)(socket, bytes, length, with);
-  });
+  return sendto(socket, bytes, length, flags, nullptr, 0);
 }
 
 // POSIX gives it six parameters.
 // NOLINTNEXTLINE(readability-function-size)
 BARAKA_EXPORTED ssize_t sendto(int socket, const void* bytes, size_t length, int flags,
                                const sockaddr* to, socklen_t to_length) {
-  return send_when_possible({socket, to, to_length, nullptr, length}, flags, [=](int with) {
-    return BARAKA_NEXT(sendto)(socket, bytes, length, with, to, to_length);
-  });
+  const ssize_t sent = send_when_possible(
+      {socket, to, to_length, nullptr, length}, flags,
+      [=](int with) { return BARAKA_NEXT(sendto)(socket, bytes, length, with, to, to_length); });
+  const iovec part{const_cast<void*>(bytes), length};
+  return send_rest(socket, &part, 1, flags, sent);
 }
 
 BARAKA_EXPORTED ssize_t sendmsg(int socket, const msghdr* message, int flags) {
   if (message == nullptr) return BARAKA_NEXT(sendmsg)(socket, message, flags);
-  return send_when_possible(datagram_of(socket, *message), flags,
-                            [=](int with) { return BARAKA_NEXT(sendmsg)(socket, message, with); });
+  const ssize_t sent = send_when_possible(datagram_of(socket, *message), flags, [=](int with) {
+    return BARAKA_NEXT(sendmsg)(socket, message, with);
+  });
+  return send_rest(socket, message->msg_iov, message->msg_iovlen, flags, sent);
 }
 
 /// One after the other: only the first may find that there is no room.
@@ -113,22 +153,28 @@ BARAKA_EXPORTED int sendmmsg(int socket, mmsghdr* messages, unsigned count, int 
 }
 
 BARAKA_EXPORTED ssize_t write(int descriptor, const void* bytes, size_t length) {
-  return write_when_possible(
-      {descriptor, nullptr, 0, nullptr, length},
-      [=] { return BARAKA_NEXT(write)(descriptor, bytes, length); },
-      [=](int flags) { return BARAKA_NEXT(send)(descriptor, bytes, length, flags); });
+  if (own_slot() == nullptr) return BARAKA_NEXT(write)(descriptor, bytes, length);
+  if (is_socket(descriptor)) return send(descriptor, bytes, length, 0);
+  return write_when_possible(descriptor, length, [=](std::size_t from, std::size_t count) {
+    return BARAKA_NEXT(write)(descriptor, static_cast<const char*>(bytes) + from, count);
+  });
 }
 
 BARAKA_EXPORTED ssize_t writev(int descriptor, const iovec* parts, int count) {
-  if (count <= 0) return BARAKA_NEXT(writev)(descriptor, parts, count);
-  const std::size_t length = length_of(parts, static_cast<std::size_t>(count));
-  return write_when_possible(
-      {descriptor, nullptr, 0, nullptr, length},
-      [=] { return BARAKA_NEXT(writev)(descriptor, parts, count); },
-      [=](int flags) {
-        msghdr message{};
-        message.msg_iov = const_cast<iovec*>(parts);
-        message.msg_iovlen = static_cast<std::size_t>(count);
-        return BARAKA_NEXT(sendmsg)(descriptor, &message, flags);
-      });
+  if (count <= 0 || own_slot() == nullptr) return BARAKA_NEXT(writev)(descriptor, parts, count);
+  const auto number = static_cast<std::size_t>(count);
+  if (is_socket(descriptor)) {
+    msghdr message{};
+    message.msg_iov = const_cast<iovec*>(parts);
+    message.msg_iovlen = number;
+    return sendmsg(descriptor, &message, 0);
+  }
+  const std::size_t length = length_of(parts, number);
+  return write_when_possible(descriptor, length, [=](std::size_t from, std::size_t most) {
+    if (from == 0 && most == length) return BARAKA_NEXT(writev)(descriptor, parts, count);
+    std::size_t i = 0;
+    for (; from >= parts[i].iov_len; ++i) from -= parts[i].iov_len;
+    const char* const begin = static_cast<const char*>(parts[i].iov_base) + from;
+    return BARAKA_NEXT(write)(descriptor, begin, std::min(most, parts[i].iov_len - from));
+  });
 }

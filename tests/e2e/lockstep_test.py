@@ -91,6 +91,19 @@ class Waits(Held):
         self.run_held(scenario(self.folder, {"a": [("count", ["nproc"], ", on_exit: end")]}))
         self.assertEqual(self.log("a", "count").strip(), "1")
 
+    def test_what_waits_until_everything_is_taken_does(self):
+        """More than a pipe or a socket holds; in parts for who does not wait."""
+        code = ("import os, socket, threading, time\nout, into = os.pipe()\na, b = socket.socketpair()\n"
+                "def take(one):\n    time.sleep(0.5)\n    left = 1000000\n    while left: left -= len(os.read(one, left))\n"
+                "for read, write in ((out, lambda data: os.write(into, data)), (b.fileno(), a.send),\n"
+                "                    (out, lambda data: os.writev(into, [data[:300000], data[300000:]])),\n"
+                "                    (b.fileno(), lambda data: a.sendmsg([data[:300000], data[300000:]]))):\n"
+                "    thread = threading.Thread(target=take, args=[read])\n    thread.start()\n    begin = time.monotonic_ns()\n"
+                "    print(write(bytes(1000000)), time.monotonic_ns() - begin)\n    thread.join()\n"
+                "a.setblocking(False)\nprint(0 < a.send(bytes(1000000)) < 1000000)")
+        self.run_held(scenario(self.folder, {"a": [("writes", [PYTHON, "-c", code], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "writes"), "1000000 500000000\n" * 4 + "True\n")
+
 
 @unittest.skipIf(REFUSED, REFUSED)
 class Exact(Held):
