@@ -87,8 +87,10 @@ KernelState AgentWaits::look(std::size_t i) {
   ++counts_.looks;
   WaitSlot& one = slot(i);
   Thread& thread = threads_[i];
-  const pid_t process = one.process.load();
-  const pid_t number = one.thread.load() != 0 ? one.thread.load() : process;
+  const pid_t process = one.process.load(), named = one.thread.load();
+  if (named == netns::kNewThread)
+    return tasks_.has_ended(process) ? KernelState::kGone : KernelState::kAwake;
+  const pid_t number = named != 0 ? named : process;
   if (number == 0) return KernelState::kAwake;  // it begins
   if (thread.number != number) {
     thread.kernel = tasks_.find(process, number);

@@ -26,6 +26,9 @@ inline constexpr std::uint64_t kRoomObject = 2;
 /// taken frames from the agent's interface.
 inline constexpr std::uint64_t kSendingObject = 5;
 
+/// WaitSlot::thread of a thread of `process` that has not begun.
+inline constexpr std::int32_t kNewThread = -1;
+
 /// What a slot of a WaitPage says of its thread. The thread itself writes it, except where noted.
 enum class SlotState : std::uint32_t {
   kFree,      ///< Names no thread. Written by the run.
