@@ -35,7 +35,16 @@ Known* known(int socket) {
   return socket >= 0 && index < all.size() ? &all[index] : nullptr;
 }
 
-Nanoseconds deadline(Nanoseconds timeout) { return timeout == 0 ? kNever : deadline_in(timeout); }
+bool is_socket(int descriptor) {
+  int type = 0;
+  socklen_t length = sizeof type;
+  return BARAKA_NEXT(getsockopt)(descriptor, SOL_SOCKET, SO_TYPE, &type, &length) == 0;
+}
+
+/// A pipe, or any other file, may have the number of a socket that was closed.
+Nanoseconds deadline(int descriptor, Nanoseconds timeout) {
+  return timeout == 0 || !is_socket(descriptor) ? kNever : deadline_in(timeout);
+}
 
 bool is_timeout_option(int option, bool& of_receiving) {
   of_receiving = option == SO_RCVTIMEO_OLD || option == SO_RCVTIMEO_NEW;
@@ -90,12 +99,12 @@ int bind_to_next(int socket, Address& address, in_port_t& port, socklen_t length
 
 Nanoseconds receive_deadline(int socket) {
   const Known* const one = known(socket);
-  return one == nullptr ? kNever : deadline(one->receive_timeout);
+  return one == nullptr ? kNever : deadline(socket, one->receive_timeout);
 }
 
 Nanoseconds send_deadline(int socket) {
   const Known* const one = known(socket);
-  return one == nullptr ? kNever : deadline(one->send_timeout);
+  return one == nullptr ? kNever : deadline(socket, one->send_timeout);
 }
 
 void give_port(int socket) {
@@ -127,6 +136,14 @@ BARAKA_EXPORTED int socket(int domain, int type, int protocol) noexcept {
   const int made = BARAKA_NEXT(socket)(domain, type, protocol);
   programs::waits::forget(made);
   return made;
+}
+
+BARAKA_EXPORTED int socketpair(int domain, int type, int protocol, int made[2]) noexcept {
+  const int status = BARAKA_NEXT(socketpair)(domain, type, protocol, made);
+  if (status != 0) return status;
+  programs::waits::forget(made[0]);
+  programs::waits::forget(made[1]);
+  return status;
 }
 
 BARAKA_EXPORTED int bind(int socket, const sockaddr* address, socklen_t length) noexcept {

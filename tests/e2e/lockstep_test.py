@@ -86,6 +86,17 @@ class Waits(Held):
         begin, end = map(int, self.log("a", "date").split())
         self.assertEqual((begin, end), (1767225600, 1767229200))
 
+    def test_a_number_of_a_socket_that_was_closed_says_nothing_of_the_next_file(self):
+        code = ("import os, socket, struct, threading, time\n"
+                "def numbers():\n    some = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(2)]\n"
+                "    for one in some: one.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, struct.pack('ll', 0, 1000))\n"
+                "    return [one.fileno() for one in some]\n"
+                "for make in (os.pipe, lambda: [one.detach() for one in socket.socketpair()]):\n"
+                "    before = numbers()\n    out, into = make()\n    assert [out, into] == before, before\n"
+                "    threading.Thread(target=lambda: (time.sleep(0.5), os.write(into, b'x'))).start()\n    print(os.read(out, 1))")
+        self.run_held(scenario(self.folder, {"a": [("reads", [PYTHON, "-c", code], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "reads"), "b'x'\n" * 2)
+
     @unittest.skipIf(len(os.sched_getaffinity(0)) == 1, "needs two processors")
     def test_programs_have_one_processor(self):
         self.run_held(scenario(self.folder, {"a": [("count", ["nproc"], ", on_exit: end")]}))
