@@ -196,6 +196,14 @@ class Repeatable(Held):
         self.assertNotEqual(other[0], first[0])
         self.assertNotEqual(other[1]["a", "py"], first[1]["a", "py"])
 
+    def test_errors_of_icmp_are_not_limited_by_the_wall_clock(self):
+        code = ("import socket, time\ntime.sleep(0.1)\nfor family, to in ((socket.AF_INET, '10.77.0.2'), (socket.AF_INET6, 'b')):\n"
+                "    s = socket.socket(family, socket.SOCK_DGRAM)\n    s.connect((to, 5000))\n    s.settimeout(1)\n"
+                "    for i in range(70):\n        s.send(b'x')\n        try: s.recv(1)\n        except ConnectionRefusedError: print(i)")
+        self.run_held(scenario(self.folder, {"a": [("sender", [PYTHON, "-c", code], ", on_exit: end")], "b": [
+            ("sleep", ["sleep", 100], "")]}))
+        self.assertEqual(self.log("a", "sender").split(), [str(i) for i in range(70)] * 2)
+
     def test_tcp_is_flagged(self):
         server = "import socket\ns = socket.create_server(('', 80))\nc, _ = s.accept()\nc.sendall(c.recv(100))"
         client = ("import socket, time\ntime.sleep(0.1)\ns = socket.create_connection(('10.77.0.2', 80), 5)\n"
