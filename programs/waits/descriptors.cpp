@@ -15,6 +15,7 @@
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
 #include "programs/preload/writable.h"
+#include "programs/waits/handlers.h"
 #include "programs/waits/virtual_clock.h"
 
 extern "C" {
@@ -63,6 +64,16 @@ sigset_t blocked_in_wait(const sigset_t* signals) {
 
 bool is_blocking(int descriptor, int flags) {
   return (flags & MSG_DONTWAIT) == 0 && (fcntl(descriptor, F_GETFL) & O_NONBLOCK) == 0;
+}
+
+int wait_to_transfer(int descriptor, short events, Nanoseconds deadline) {
+  pollfd one{descriptor, events, 0};
+  for (;;) {
+    const unsigned before = interruptions();
+    const int ready = wait_for_descriptors(&one, 1, deadline, nullptr);
+    const bool goes_on = ready < 0 && errno == EINTR && deadline == kNever && !is_over();
+    if (!goes_on || interruptions() != before) return ready;
+  }
 }
 
 int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline,

@@ -14,6 +14,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/handlers.h"
 #include "programs/waits/parking.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -102,6 +103,7 @@ int wait_for_condition(pthread_cond_t* condition, pthread_mutex_t* mutex, Nanose
 }
 
 int wait_for_semaphore(sem_t* semaphore, Nanoseconds deadline) {
+  const unsigned before = programs::waits::interruptions();
   for (;;) {
     if (BARAKA_NEXT(sem_trywait)(semaphore) == 0) return 0;
     if (errno != EAGAIN) return -1;
@@ -113,6 +115,7 @@ int wait_for_semaphore(sem_t* semaphore, Nanoseconds deadline) {
         errno = ETIMEDOUT;
         return -1;
       case Woken::kBySignal:
+        if (deadline == kNever && programs::waits::interruptions() == before) break;
         errno = EINTR;
         return -1;
     }

@@ -58,8 +58,7 @@ bool is_socket(int descriptor) {
 
 /// @return false: with errno, what the call ends with.
 bool wait_until_writable(int descriptor) {
-  pollfd one{descriptor, POLLOUT, 0};
-  return programs::waits::wait_for_descriptors(&one, 1, programs::waits::kNever, nullptr) >= 0;
+  return programs::waits::wait_to_transfer(descriptor, POLLOUT, programs::waits::kNever) >= 0;
 }
 
 /// What is no socket is written when it can take something. More than a pipe takes then at least,

@@ -171,11 +171,10 @@ BARAKA_EXPORTED int connect(int socket, const sockaddr* address, socklen_t lengt
   int status = BARAKA_NEXT(connect)(socket, address, length);
   int error = errno;
   if (status != 0 && error == EINPROGRESS) {
-    pollfd one{socket, POLLOUT, 0};
-    status = programs::waits::wait_for_descriptors(&one, 1, programs::waits::send_deadline(socket),
-                                                   nullptr);
+    status =
+        programs::waits::wait_to_transfer(socket, POLLOUT, programs::waits::send_deadline(socket));
     socklen_t size = sizeof error;
-    if (status == 0) error = EINPROGRESS;
+    if (status < 0) error = errno;
     if (status > 0) BARAKA_NEXT(getsockopt)(socket, SOL_SOCKET, SO_ERROR, &error, &size);
     status = status > 0 && error == 0 ? 0 : -1;
   }
