@@ -110,9 +110,12 @@ long clone_of(const Arguments& a) {
   return is_process ? fork() : failed(ENOSYS);
 }
 
-long send_signal(long number, const Arguments& a) {
+/// Those that end something: processes, descriptors.
+long end(long number, const Arguments& a) {
   const auto first = static_cast<int>(a[0]), second = static_cast<int>(a[1]);
   switch (number) {
+    case SYS_close:
+      return close(first);
     case SYS_kill:
       return kill(first, second);
     case SYS_tgkill:
@@ -167,7 +170,7 @@ long transfer(long number, const Arguments& a) {
     case SYS_wait4:
       return wait4(first, pointer<int>(a[1]), static_cast<int>(a[2]), pointer<rusage>(a[3]));
     default:
-      return send_signal(number, a);
+      return end(number, a);
   }
 }
 

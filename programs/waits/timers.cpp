@@ -12,6 +12,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/ports.h"
 #include "programs/waits/virtual_clock.h"
 
 namespace {
@@ -65,6 +66,13 @@ Nanoseconds nanoseconds(const timeval& time) {
   return time.tv_sec * programs::waits::kSecond + time.tv_usec * 1000;
 }
 
+/// The run would write to whatever has the number of a timer that was closed.
+void forget_timer(int descriptor) {
+  if (own_slot() == nullptr || descriptor < 0) return;
+  WaitSlot* const timer = timer_of(descriptor, 0);
+  if (timer != nullptr) programs::waits::give_back_slot(*timer);
+}
+
 /// The clock of a timer is kept in its slot.
 clockid_t clock_of(const WaitSlot& timer) { return static_cast<clockid_t>(timer.thread.load()); }
 
@@ -78,10 +86,25 @@ BARAKA_EXPORTED int timerfd_create(clockid_t clock, int flags) noexcept {
                        ((flags & TFD_CLOEXEC) != 0 ? EFD_CLOEXEC : 0);
   const int descriptor = eventfd(0, of_event);
   if (descriptor < 0) return descriptor;
-  WaitSlot* const old = timer_of(descriptor, 0);  // it was closed
-  if (old != nullptr) programs::waits::give_back_slot(*old);
+  forget_timer(descriptor);
   new_timer(descriptor, 0).thread = clock;
   return descriptor;
+}
+
+BARAKA_EXPORTED int close(int descriptor) {
+  forget_timer(descriptor);
+  programs::waits::forget(descriptor);
+  return BARAKA_NEXT(close)(descriptor);
+}
+
+BARAKA_EXPORTED int dup2(int from, int to) noexcept {
+  if (from != to) forget_timer(to);
+  return BARAKA_NEXT(dup2)(from, to);
+}
+
+BARAKA_EXPORTED int dup3(int from, int to, int flags) noexcept {
+  if (from != to) forget_timer(to);
+  return BARAKA_NEXT(dup3)(from, to, flags);
 }
 
 BARAKA_EXPORTED int timerfd_settime(int descriptor, int flags, const itimerspec* setting,
