@@ -513,6 +513,12 @@ class Agent:
         return 0
         yield
 
+    def do_close_timer(self, thread, time):
+        # The slot of the timer is free again.
+        while (yield from self.park(thread, "sleep", self.now + 3 * time)) != BY_DEADLINE:
+            pass
+        return -errno.EAGAIN
+
     def do_set_alarm(self, thread, first, interval):
         process = thread.process
         if process.alarm is None and first > 0:

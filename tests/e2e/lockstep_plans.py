@@ -96,7 +96,7 @@ class Draw:
                 steps.insert(begin, ("lock", which, time))
 
     def step(self, thread):
-        kinds = {"sleep": 5, "leave": 0.3, "sleep_until": 1, "take": 3, "give": 4, "down": 2, "up": 3, "futex_wait": 1,
+        kinds = {"sleep": 5, "leave": 0.3, "close_timer": 0.5, "sleep_until": 1, "take": 3, "give": 4, "down": 2, "up": 3, "futex_wait": 1,
                  "futex_wake": 2, "write": 5, "receive": 4, "wait": 6, "set_timer": 3, "tell_thread": 1,
                  "tell_process": 0.5}
         if thread["is_first"]:
@@ -169,6 +169,9 @@ class Draw:
 
     def set_alarm(self, thread):
         return (self.random.choice((0, 1, 1, 1)) * self.grid(), self.random.choice((0, 0, 1)) * self.grid())
+
+    def close_timer(self, thread):
+        return (self.grid(),)
 
     def others(self, thread):
         return [one["number"] for one in self.threads if one["process"] == thread["process"]]

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/epoll.h>
+#include <sys/eventfd.h>
 #include <sys/select.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -245,6 +246,20 @@ static int64_t do_set_timer(const int64_t* a) {
   const struct itimerspec setting = {to_timespec(a[2]), to_timespec(a[1])};
   return status_of(timerfd_settime(readable[a[0]], 0, &setting, NULL));
 }
+/// Closed while it goes on; what gets its number is not to hear of it.
+static int64_t do_close_timer(const int64_t* a) {
+  const int timer = timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC);
+  const struct itimerspec setting = {to_timespec(a[0]), to_timespec(a[0])};
+  timerfd_settime(timer, 0, &setting, NULL);
+  close(timer);
+  const int next = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  const struct timespec time = to_timespec(3 * a[0]);
+  while (clock_nanosleep(CLOCK_MONOTONIC, 0, &time, NULL) == EINTR) continue;
+  uint64_t count;
+  const int64_t result = next == timer ? status_of(read(next, &count, sizeof count)) : next;
+  close(next);
+  return result;
+}
 static struct timeval to_timeval(Nanoseconds time) {
   return (struct timeval){time / 1000000000, time % 1000000000 / 1000};
 }
@@ -380,6 +395,7 @@ static const struct {
     {"receive", do_receive},
     {"wait", do_wait},
     {"set_timer", do_set_timer},
+    {"close_timer", do_close_timer},
     {"set_alarm", do_set_alarm},
     {"wait_for_signal", do_wait_for_signal},
     {"tell_thread", do_tell_thread},
