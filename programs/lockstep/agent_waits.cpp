@@ -258,11 +258,13 @@ void AgentWaits::grant(std::size_t i) {
   futex_wake(slot(i).grant);
 }
 
+/// Once it is, it stays so: whoever waits inside a wait is told, too.
 bool AgentWaits::is_broken_off() {
   const std::int64_t now = wall_time();
-  if (now - asked_at_ < 50 * kMillisecond) return false;
+  if (is_broken_off_ || now - asked_at_ < 50 * kMillisecond) return is_broken_off_;
   asked_at_ = now;
-  return !settings_.may_go_on();
+  is_broken_off_ = !settings_.may_go_on();
+  return is_broken_off_;
 }
 
 /// Whether something has to be waited for before the next thread may go on.

@@ -123,7 +123,7 @@ class AgentWaits {
   bool looks_at_parked_ = false;
   std::uint32_t signals_ = 0;                      ///< As WaitPage::signals was.
   std::int64_t running_since_ = 0, asked_at_ = 0;  ///< Wall time, ns.
-  bool has_warned_ = false;
+  bool has_warned_ = false, is_broken_off_ = false;
   Counts counts_;
 };
 
