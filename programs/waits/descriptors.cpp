@@ -49,6 +49,13 @@ int look(pollfd* descriptors, nfds_t count, bool& lacks_room) {
   return lacks_room ? preload::ready_without_room(descriptors, count) : ready;
 }
 
+/// By a handler, whatever the kernel said of it: what woke the thread before may have been taken by
+/// another since, and whether the thread has seen it depends on the computer.
+int interrupted() {
+  errno = EINTR;
+  return -1;
+}
+
 }  // namespace
 
 sigset_t blocked_in_wait(const sigset_t* signals) {
@@ -78,6 +85,7 @@ int wait_to_transfer(int descriptor, short events, Nanoseconds deadline) {
 
 int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline,
                          const sigset_t* signals) {
+  const unsigned handled = handlers_run();
   for (;;) {
     bool lacks_room = false;
     const int ready = look(descriptors, count, lacks_room);
@@ -86,6 +94,7 @@ int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline
       count_look(1);
       return 0;
     }
+    if (handlers_run() != handled) return interrupted();
     if (lacks_room) {
       sleep_until(std::min(deadline, now() + kLookForRoom));
       continue;
@@ -96,7 +105,7 @@ int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline
     KernelWait wait(deadline, is_to_send(descriptors, count) ? netns::kSendingObject : 0);
     const int status = BARAKA_NEXT(ppoll)(descriptors, count, nullptr, &blocked);
     wait.end();
-    if (status < 0 && !(errno == EINTR && wait.has_expired())) return -1;
+    if (status < 0 && errno != EINTR) return -1;
   }
 }
 
@@ -108,6 +117,7 @@ class Selection {
       : count_(count), sets_(sets), asked_(sets, count) {}
 
   int wait(Nanoseconds deadline, const sigset_t* signals) {
+    const unsigned handled = handlers_run();
     for (;;) {
       bool lacks_room = false;
       const int ready = look(lacks_room);
@@ -117,6 +127,7 @@ class Selection {
         count_look(1);
         return 0;
       }
+      if (handlers_run() != handled) return interrupted();
       if (lacks_room) {
         sleep_until(std::min(deadline, now() + kLookForRoom));
         continue;
@@ -147,7 +158,7 @@ class Selection {
     KernelWait wait(deadline, sets_.writable != nullptr ? netns::kSendingObject : 0);
     const int status = select_now(nullptr, &blocked);
     wait.end();
-    return status >= 0 || (errno == EINTR && wait.has_expired());
+    return status >= 0 || errno == EINTR;
   }
 
   int select_now(const timespec* timeout, const sigset_t* signals) {

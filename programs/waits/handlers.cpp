@@ -15,7 +15,7 @@ struct Handler {
 
 constexpr std::size_t kSignals = 65;
 std::array<Handler, kSignals> all;
-__attribute__((tls_model("initial-exec"))) thread_local unsigned interrupted = 0;
+__attribute__((tls_model("initial-exec"))) thread_local unsigned run = 0, interrupted = 0;
 
 bool is_signal(int signal) { return signal > 0 && static_cast<std::size_t>(signal) < kSignals; }
 
@@ -23,6 +23,7 @@ Handler& of(int signal) { return all[static_cast<std::size_t>(signal)]; }
 
 void run_handler(int signal, siginfo_t* info, void* context) {
   const Handler& handler = of(signal);
+  ++run;
   if (!handler.restarts.load()) ++interrupted;
   handler.function.load()(signal, info, context);
 }
@@ -42,6 +43,8 @@ SignalHandler put_handler(int signal, SignalHandler handler, unsigned long flags
 SignalHandler given_handler(int signal, SignalHandler handler) {
   return handler == run_handler ? of(signal).function.load() : handler;
 }
+
+unsigned handlers_run() { return run; }
 
 unsigned interruptions() { return interrupted; }
 

@@ -16,7 +16,8 @@ SignalHandler put_handler(int signal, SignalHandler handler, unsigned long flags
 /// What a program has given, of what the kernel has.
 SignalHandler given_handler(int signal, SignalHandler handler);
 
-/// Handlers without SA_RESTART that have run in this thread.
+/// Handlers that have run in this thread; and those of them without SA_RESTART.
+unsigned handlers_run();
 unsigned interruptions();
 
 }  // namespace programs::waits
