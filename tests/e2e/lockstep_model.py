@@ -41,6 +41,7 @@ class Thread:
         self.body = None
         self.is_live = False  # from its first turn to the end of its steps
         self.has_ended = False
+        self.has_handled = False
         self.is_interrupted = False  # by a handler after which calls do not go on
 
 
@@ -180,6 +181,7 @@ class Agent:
     # ---- signals
     def handle(self, thread, number):
         self.log_record(thread.number, -1, int(number))
+        thread.has_handled = True
         thread.is_interrupted = thread.is_interrupted or number not in RESTARTING
         if thread.wait is not None:
             self.wake(thread, BY_SIGNAL)
@@ -428,13 +430,15 @@ class Agent:
         return descriptor != DATAGRAMS or len(self.pipes[descriptor]) <= MOST_DATAGRAMS
 
     def wait_for(self, thread, is_ready, wait, deadline):
-        """@return whether it was ready; or BY_SIGNAL."""
-        thread.is_interrupted = False
+        """@return whether it was ready; or BY_SIGNAL: if a handler has run, also after the wait was over, and it is not ready
+        any more."""
+        thread.is_interrupted = thread.has_handled = False
         while not is_ready():
             if deadline is not NEVER and deadline <= self.now:
                 return False
-            if (yield wait()) == BY_SIGNAL and (deadline is not NEVER or thread.is_interrupted):
+            if thread.is_interrupted or (thread.has_handled and deadline is not NEVER):
                 return BY_SIGNAL
+            yield wait()
         return True
 
     def wait_to_read(self, thread, descriptors, deadline=NEVER):
@@ -515,7 +519,8 @@ class Agent:
 
     def do_close_timer(self, thread, time):
         # The slot of the timer is free again.
-        while (yield from self.park(thread, "sleep", self.now + 3 * time)) != BY_DEADLINE:
+        until = self.now + 3 * time
+        while (yield from self.park(thread, "sleep", until)) != BY_DEADLINE:
             pass
         return -errno.EAGAIN
 

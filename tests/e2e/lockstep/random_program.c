@@ -154,9 +154,11 @@ static void open_descriptors(void) {
   open_pair(kDatagrams, SOCK_DGRAM);
   readable[kEvent0] = writable[kEvent0] = eventfd(0, EFD_CLOEXEC);
   readable[kEvent1] = writable[kEvent1] = eventfd(0, EFD_CLOEXEC | EFD_SEMAPHORE);
-  readable[kLoopback] = datagram_socket("127.0.0.1", 7000);
-  writable[kLoopback] = datagram_socket("127.0.0.1", 7001);
-  connect_to(writable[kLoopback], "127.0.0.1", 7000);
+  // A process whose parent was killed may have those of an earlier plan for a while.
+  const int port = 10000 + 2 * (int)(plan.number % 10000);
+  readable[kLoopback] = datagram_socket("127.0.0.1", port);
+  writable[kLoopback] = datagram_socket("127.0.0.1", port + 1);
+  connect_to(writable[kLoopback], "127.0.0.1", port);
 }
 
 static void close_descriptors(void) {

@@ -253,8 +253,8 @@ static int64_t do_close_timer(const int64_t* a) {
   timerfd_settime(timer, 0, &setting, NULL);
   close(timer);
   const int next = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  const struct timespec time = to_timespec(3 * a[0]);
-  while (clock_nanosleep(CLOCK_MONOTONIC, 0, &time, NULL) == EINTR) continue;
+  const struct timespec until = after(CLOCK_MONOTONIC, 3 * a[0]);
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, NULL) == EINTR) continue;
   uint64_t count;
   const int64_t result = next == timer ? status_of(read(next, &count, sizeof count)) : next;
   close(next);
