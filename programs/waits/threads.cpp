@@ -64,9 +64,7 @@ BARAKA_EXPORTED int pthread_create(pthread_t* __restrict thread,
   if (own_slot() == nullptr) return next(thread, attributes, function, argument);
   void* const memory = std::malloc(sizeof(Start));
   if (memory == nullptr) return EAGAIN;
-  WaitSlot& slot = programs::waits::take_slot(programs::waits::SlotState::kExpected);
-  slot.process = own_slot()->process.load();  // its end may come before the thread begins
-  slot.thread = programs::netns::kNewThread;
+  WaitSlot& slot = programs::waits::expect_one();
   auto* const start = new (memory) Start{function, argument, &slot};
   const int error = next(thread, attributes, begin, start);
   if (error == 0) return 0;

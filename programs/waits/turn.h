@@ -33,6 +33,12 @@ WaitSlot* own_slot();
 WaitSlot& take_slot(SlotState state);
 void give_back_slot(WaitSlot& slot);
 
+/// A slot for a thread or process that this thread is about to make. Until it begins, the run frees
+/// the slot if this process ends.
+WaitSlot& expect_one();
+/// It is a process, and exists.
+void expected_is(WaitSlot& slot, pid_t process);
+
 /// Makes the calling thread, which has just begun to exist, the one of a slot of state kExpected,
 /// and waits for its turn.
 void adopt(WaitSlot& slot);
