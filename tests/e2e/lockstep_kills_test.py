@@ -81,7 +81,7 @@ class Kills(Held):
         seeds = list(range(1, 101))
         plans = self.folder / "all.plans"
         plans.write_text("".join(lockstep_plans.text_of(seed, lockstep_plans.make_plan(seed)) for seed in seeds), encoding="utf-8")
-        again = f"while :; do {PROGRAM} {plans} 10.77.0.1 0.1; done"
+        again = f"while :; do {PROGRAM} {plans} 10.77.0.1 0.1 || sleep 0.1; done"  # or no time would pass
         forks = "while :; do sleep 0.01 & sleep 0.003; wait; done"
         clock = ("clock", ["sh", "-c", "while sleep 1; do echo; done"], "")
         agents = {"z": [("answer", [PROGRAM, "answer"], ""), clock], "y": [clock],
