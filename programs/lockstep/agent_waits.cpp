@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -72,8 +73,10 @@ KernelState AgentWaits::look(std::size_t i) {
   ++counts_.looks;
   WaitSlot& one = slot(i);
   Thread& thread = threads_[i];
-  const pid_t process = one.process.load();
-  const pid_t number = one.thread.load() != 0 ? one.thread.load() : process;
+  const pid_t process = one.process.load(), named = one.thread.load();
+  if (named == netns::kNewThread)
+    return tasks_.has_ended(process) ? KernelState::kGone : KernelState::kAwake;
+  const pid_t number = named != 0 ? named : process;
   if (number == 0) return KernelState::kAwake;  // it begins
   if (thread.number != number) {
     thread.kernel = tasks_.find(process, number);
@@ -101,10 +104,10 @@ void AgentWaits::release(std::size_t i) {
   if (one.thread.load() == one.process.load()) tasks_.forget(one.process.load());
   if (threads_[i].is_program) ended_.push_back(i);
   threads_[i] = {};
-  const pid_t process = one.process.load();
-  one.process = one.thread = 0;
+  const pid_t process = one.process.exchange(0);
+  one.thread = 0;
   one.state = SlotState::kFree;
-  release_timers(process);
+  if (process != 0) release_timers(process);
   wake(netns::kFileLockObject);
 }
 
@@ -199,13 +202,14 @@ bool AgentWaits::release_ended() {
   return is_one;
 }
 
-/// Looks until it is, or is no longer waiting. @return false: the latter.
+/// Looks until it is, or its slot says something else. @return false: the latter.
 bool AgentWaits::is_asleep(std::size_t i) {
   constexpr int kAtOnce = 4, kShortWaits = 16;
-  for (int looks = 0; slot(i).state.load() == SlotState::kWaiting; ++looks) {
+  const SlotState before = slot(i).state.load();
+  for (int looks = 0; slot(i).state.load() == before; ++looks) {
     const std::uint32_t seen = page_.event.load();
     const KernelState state = look(i);
-    if (slot(i).state.load() != SlotState::kWaiting) break;
+    if (slot(i).state.load() != before) break;
     if (state == KernelState::kAsleep) return true;
     has_seen_awake_ = true;
     if (state == KernelState::kGone) {
@@ -227,7 +231,9 @@ bool AgentWaits::are_all_asleep() {
   bool are_all = true;
   for (std::size_t i = 0; i < used(); ++i) {
     const WaitSlot& one = slot(i);
-    if (one.state.load() != SlotState::kWaiting) continue;
+    const SlotState state = one.state.load();
+    const bool may_handle = state == SlotState::kWants && looks_at_parked;
+    if (state != SlotState::kWaiting && !may_handle) continue;
     const std::uint64_t ticket = one.ticket.load();
     const bool is_known = threads_[i].ticket == ticket && !looks_at_parked;
     if (one.kind.load() == WaitKind::kParked && is_known) continue;
@@ -254,11 +260,13 @@ void AgentWaits::grant(std::size_t i) {
   futex_wake(slot(i).grant);
 }
 
+/// Once it is, it stays so: whoever waits inside a wait is told, too.
 bool AgentWaits::is_broken_off() {
   const std::int64_t now = wall_time();
-  if (now - asked_at_ < 50 * kMillisecond) return false;
+  if (is_broken_off_ || now - asked_at_ < 50 * kMillisecond) return is_broken_off_;
   asked_at_ = now;
-  return !settings_.may_go_on();
+  is_broken_off_ = !settings_.may_go_on();
+  return is_broken_off_;
 }
 
 /// Whether something has to be waited for before the next thread may go on.
@@ -283,18 +291,6 @@ bool AgentWaits::settle() {
     }
   }
   return false;
-}
-
-std::optional<std::int64_t> AgentWaits::deadline() const {
-  std::int64_t earliest = netns::kNever;
-  for (std::size_t i = 0; i < used(); ++i) {
-    const WaitSlot& one = page_.slots[i];
-    const SlotState state = one.state.load();
-    if (state == SlotState::kWaiting || state == SlotState::kTimer)
-      earliest = std::min(earliest, one.deadline.load());
-  }
-  if (earliest == netns::kNever) return std::nullopt;
-  return earliest;
 }
 
 bool AgentWaits::is_one_waiting(std::uint64_t object) const {

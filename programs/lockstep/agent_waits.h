@@ -109,6 +109,7 @@ class AgentWaits {
   void release(std::size_t i);
   void release_timers(pid_t process);
   void grant(std::size_t i);
+  void see_all_asleep();
   void fire(std::size_t i);
   void expire_wait(std::size_t i);
   void end_wait(std::size_t i);
@@ -122,11 +123,12 @@ class AgentWaits {
   AgentTasks tasks_;
   std::array<Thread, netns::WaitPage::kSlots> threads_;
   std::vector<std::size_t> ended_;
-  bool has_seen_awake_ = false;   ///< A thread that was looked at by are_all_asleep().
-  bool looks_at_parked_ = false;  ///< A signal was sent: handlers may run in parked threads.
-  std::uint32_t signals_ = 0;     ///< As WaitPage::signals was.
+  bool has_seen_awake_ = false;  ///< A thread that was looked at by are_all_asleep().
+  /// A signal was sent: handlers may run in threads that are parked, or want to go on.
+  bool looks_at_parked_ = false;
+  std::uint32_t signals_ = 0;                      ///< As WaitPage::signals was.
   std::int64_t running_since_ = 0, asked_at_ = 0;  ///< Wall time, ns.
-  bool has_warned_ = false;
+  bool has_warned_ = false, is_broken_off_ = false;
   Counts counts_;
 };
 

@@ -29,13 +29,21 @@ bool write_to(pid_t process, int descriptor, std::uint64_t times) {
 
 }  // namespace
 
+void AgentWaits::see_all_asleep() {
+  do {
+    looks_at_parked_ = true;
+  } while (!are_all_asleep() && !is_broken_off());
+}
+
+/// A handler is over before the next timer expires, and begins after all have seen that their waits
+/// have ended.
 void AgentWaits::fire(std::size_t i) {
   WaitSlot& one = slot(i);
   const std::uint64_t times = expire_once(one, page_.now.load());
   const pid_t process = one.process.load();
   const pid_t outside = tasks_.outside(process);
   const int signal = one.signal.load();
-  looks_at_parked_ = looks_at_parked_ || signal != 0;
+  if (signal != 0) see_all_asleep();
   bool is_fired = outside != 0;
   if (is_fired && one.timer.load() != 0) {
     const pid_t target = one.target.load() != 0 ? one.target.load() : process;
@@ -44,6 +52,7 @@ void AgentWaits::fire(std::size_t i) {
     is_fired =
         signal != 0 ? kill(outside, signal) == 0 : write_to(outside, one.descriptor.load(), times);
   }
+  if (signal != 0) see_all_asleep();
   if (!is_fired) release(i);
 }
 
@@ -53,35 +62,38 @@ void AgentWaits::end_wait(std::size_t i) {
   syscall(SYS_tgkill, kernel.process(), kernel.thread(), netns::kEndWait);
 }
 
+/// All waits end before a timer expires.
 bool AgentWaits::expire() {
   const std::int64_t now = page_.now.load();
+  const auto is_due = [&](std::size_t i, SlotState state) {
+    return slot(i).state.load() == state && slot(i).deadline.load() <= now;
+  };
+  for (std::size_t i = 0; i < used(); ++i) {
+    if (is_due(i, SlotState::kWaiting)) expire_wait(i);
+  }
   std::vector<pid_t> signalled;
   bool is_one_left = false;
   for (std::size_t i = 0; i < used(); ++i) {
-    WaitSlot& one = slot(i);
-    const SlotState state = one.state.load();
-    const bool is_due =
-        (state == SlotState::kWaiting || state == SlotState::kTimer) && one.deadline.load() <= now;
-    if (!is_due) continue;
-    if (state == SlotState::kTimer && one.signal.load() != 0) {
-      if (std::ranges::find(signalled, one.process.load()) != signalled.end()) {
+    if (!is_due(i, SlotState::kTimer)) continue;
+    if (slot(i).signal.load() != 0) {
+      const pid_t process = slot(i).process.load();
+      if (std::ranges::find(signalled, process) != signalled.end()) {
         is_one_left = true;
         continue;
       }
-      signalled.push_back(one.process.load());
+      signalled.push_back(process);
     }
     ++counts_.expired;
-    if (state == SlotState::kTimer) {
-      fire(i);
-    } else {
-      expire_wait(i);
-    }
+    fire(i);
   }
   return is_one_left;
 }
 
 void AgentWaits::expire_wait(std::size_t i) {
   WaitSlot& one = slot(i);
+  // A frame that came in at this very instant may have ended it.
+  if (one.kind.load() == WaitKind::kInKernel && !is_asleep(i)) return;
+  ++counts_.expired;
   one.deadline = netns::kNever;
   one.expired = 1;
   if (one.kind.load() == WaitKind::kParked) {
@@ -89,6 +101,18 @@ void AgentWaits::expire_wait(std::size_t i) {
   } else {
     end_wait(i);
   }
+}
+
+std::optional<std::int64_t> AgentWaits::deadline() const {
+  std::int64_t earliest = netns::kNever;
+  for (std::size_t i = 0; i < used(); ++i) {
+    const WaitSlot& one = page_.slots[i];
+    const SlotState state = one.state.load();
+    if (state == SlotState::kWaiting || state == SlotState::kTimer)
+      earliest = std::min(earliest, one.deadline.load());
+  }
+  if (earliest == netns::kNever) return std::nullopt;
+  return earliest;
 }
 
 /// Those of a process that has no thread any more.

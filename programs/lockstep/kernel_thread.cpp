@@ -131,6 +131,17 @@ pid_t AgentTasks::outside(pid_t process) {
   return found;
 }
 
+bool AgentTasks::has_ended(pid_t process) {
+  const pid_t number = outside(process);
+  const auto is_left = [](const std::filesystem::path& task) {
+    Text text{};
+    const netns::FileDescriptor stat = opened(task / "stat");
+    const std::string_view read = read_at_begin(stat.get(), text);
+    return !read.empty() && state_in(read) != 'Z' && state_in(read) != 'X';
+  };
+  return number == 0 || first_task(fmt::format("/proc/{}/task", number), is_left) == 0;
+}
+
 KernelThread AgentTasks::find(pid_t process, pid_t thread) {
   const pid_t number = outside(process);
   if (number == 0) return {};

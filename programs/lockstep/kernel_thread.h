@@ -60,6 +60,9 @@ class AgentTasks {
   /// Number outside; 0: it has ended.
   pid_t outside(pid_t process);
 
+  /// Whether none of its threads is left, by its number inside.
+  bool has_ended(pid_t process);
+
   void forget(pid_t process) { outside_.erase(process); }
 
  private:

@@ -61,6 +61,12 @@ void bound_icmp_errors(std::size_t agents) {
   write_bound("/proc/sys/net/ipv4/icmp_msgs_burst", bound);
 }
 
+void unbound_icmp_errors() {
+  write_bound("/proc/sys/net/ipv4/icmp_ratemask", "0");
+  write_bound("/proc/sys/net/ipv6/icmp/ratemask", "\n");
+  write_bound("/proc/sys/net/ipv6/icmp/ratelimit", "0");
+}
+
 std::uint64_t icmp_not_sent() { return errors_of_ipv4() + errors_of_ipv6(); }
 
 }  // namespace programs::netns

@@ -20,6 +20,11 @@ namespace programs::netns {
 /// @throws std::runtime_error  with the file that cannot be written.
 void bound_icmp_errors(std::size_t agents);
 
+/// For lock-step: the kernel limits ICMP errors, v4 and v6, by the wall clock, so that equal runs
+/// would send different numbers of them. In the network namespace of the calling thread they are
+/// not limited any more. @throws std::runtime_error  with the file that cannot be written.
+void unbound_icmp_errors();
+
 /// Number of ICMP messages, v4 and v6, that the kernel could not send, in the network namespace of
 /// the calling thread: OutErrors of /proc/net/snmp, Icmp6OutErrors of snmp6.
 std::uint64_t icmp_not_sent();

@@ -90,10 +90,11 @@ AgentEnds make_ends(const AgentNetwork& network, const AgentSpaces& spaces,
   keep_places(network, run.agents);
   if (run.time.is_held) {
     hold_kernel_timers();
+    unbound_icmp_errors();
   } else {
     stretch_kernel_timers(run.time.factor);
+    bound_icmp_errors(run.agents.size());
   }
-  bound_icmp_errors(run.agents.size());
   write_file("/proc/sys/net/ipv4/ping_group_range",
              fmt::format("0 {}", std::min(last_group(), kMostOfKernel)));
   ends.counters = open_file("/proc/self/net/dev", O_RDONLY);

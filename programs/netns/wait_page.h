@@ -32,6 +32,9 @@ inline constexpr std::uint64_t kFileLockObject = 6;
 /// WaitSlot::expired of a wait that another thread has interrupted.
 inline constexpr std::uint32_t kInterrupted = 2;
 
+/// WaitSlot::thread of a thread of `process` that has not begun.
+inline constexpr std::int32_t kNewThread = -1;
+
 /// What a slot of a WaitPage says of its thread. The thread itself writes it, except where noted.
 enum class SlotState : std::uint32_t {
   kFree,      ///< Names no thread. Written by the run.

@@ -113,7 +113,8 @@ ssize_t done(const Request& request) {
 void* serve(void* given) {
   Request* request = static_cast<Request*>(given);
   const int descriptor = request->control->aio_fildes;
-  for (; request != nullptr; request = first_of(descriptor)) {
+  // While this one told of an end, another request of the descriptor may have got a server.
+  for (; request != nullptr && !request->is_begun; request = first_of(descriptor)) {
     request->is_begun = true;
     const ssize_t result = done(*request);
     finish(request, result, result < 0 ? errno : 0);

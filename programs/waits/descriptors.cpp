@@ -16,6 +16,7 @@
 #include "programs/preload/intercepted.h"
 #include "programs/preload/writable.h"
 #include "programs/waits/cancellation.h"
+#include "programs/waits/handlers.h"
 #include "programs/waits/virtual_clock.h"
 
 extern "C" {
@@ -49,6 +50,13 @@ int look(pollfd* descriptors, nfds_t count, bool& lacks_room) {
   return lacks_room ? preload::ready_without_room(descriptors, count) : ready;
 }
 
+/// By a handler, whatever the kernel said of it: what woke the thread before may have been taken by
+/// another since, and whether the thread has seen it depends on the computer.
+int interrupted() {
+  errno = EINTR;
+  return -1;
+}
+
 }  // namespace
 
 sigset_t blocked_in_wait(const sigset_t* signals) {
@@ -66,9 +74,20 @@ bool is_blocking(int descriptor, int flags) {
   return (flags & MSG_DONTWAIT) == 0 && (fcntl(descriptor, F_GETFL) & O_NONBLOCK) == 0;
 }
 
+int wait_to_transfer(int descriptor, short events, Nanoseconds deadline) {
+  pollfd one{descriptor, events, 0};
+  for (;;) {
+    const unsigned before = interruptions();
+    const int ready = wait_for_descriptors(&one, 1, deadline, nullptr);
+    const bool goes_on = ready < 0 && errno == EINTR && deadline == kNever && !is_over();
+    if (!goes_on || interruptions() != before) return ready;
+  }
+}
+
 int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline,
                          const sigset_t* signals) {
   cancellation_point();
+  const unsigned handled = handlers_run();
   for (;;) {
     bool lacks_room = false;
     const int ready = look(descriptors, count, lacks_room);
@@ -77,6 +96,7 @@ int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline
       count_look(1);
       return 0;
     }
+    if (handlers_run() != handled) return interrupted();
     if (lacks_room) {
       sleep_until(std::min(deadline, now() + kLookForRoom));
       continue;
@@ -87,9 +107,8 @@ int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline
     KernelWait wait(deadline, is_to_send(descriptors, count) ? netns::kSendingObject : 0);
     const int status = BARAKA_NEXT(ppoll)(descriptors, count, nullptr, &blocked);
     wait.end();
-    if (status >= 0 || (errno == EINTR && wait.has_expired())) continue;
+    if (status < 0 && errno != EINTR) return -1;
     cancellation_point();
-    return -1;
   }
 }
 
@@ -102,6 +121,7 @@ class Selection {
 
   int wait(Nanoseconds deadline, const sigset_t* signals) {
     cancellation_point();
+    const unsigned handled = handlers_run();
     for (;;) {
       bool lacks_room = false;
       const int ready = look(lacks_room);
@@ -111,6 +131,7 @@ class Selection {
         count_look(1);
         return 0;
       }
+      if (handlers_run() != handled) return interrupted();
       if (lacks_room) {
         sleep_until(std::min(deadline, now() + kLookForRoom));
         continue;
@@ -141,9 +162,9 @@ class Selection {
     KernelWait wait(deadline, sets_.writable != nullptr ? netns::kSendingObject : 0);
     const int status = select_now(nullptr, &blocked);
     wait.end();
-    if (status >= 0 || (errno == EINTR && wait.has_expired())) return true;
+    if (status < 0 && errno != EINTR) return false;
     cancellation_point();
-    return false;
+    return true;
   }
 
   int select_now(const timespec* timeout, const sigset_t* signals) {

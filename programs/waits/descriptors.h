@@ -14,6 +14,10 @@ namespace programs::waits {
 int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline,
                          const sigset_t* signals);
 
+/// The same for one descriptor, of a call that goes on after a handler with SA_RESTART if it has no
+/// time-out.
+int wait_to_transfer(int descriptor, short events, Nanoseconds deadline);
+
 /// The signals to be blocked in a system call that waits: these, or the thread's own, but never
 /// kEndWait, which is to end it.
 sigset_t blocked_in_wait(const sigset_t* signals);
@@ -39,8 +43,7 @@ auto until_done(int descriptor, short events, bool waits, Nanoseconds deadline, 
     const bool asks_not_to_wait = tries < kTries || !waits;
     const auto result = call(asks_not_to_wait);
     if (result >= 0 || errno != EAGAIN || !waits || !asks_not_to_wait) return result;
-    pollfd one{descriptor, events, 0};
-    const int ready = wait_for_descriptors(&one, 1, deadline, nullptr);
+    const int ready = wait_to_transfer(descriptor, events, deadline);
     if (ready > 0) continue;
     if (ready == 0) errno = EAGAIN;
     return -1;

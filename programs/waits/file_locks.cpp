@@ -15,6 +15,7 @@
 #include "programs/preload/intercepted.h"
 #include "programs/waits/cancellation.h"
 #include "programs/waits/parking.h"
+#include "programs/waits/ports.h"
 #include "programs/waits/timers.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -48,6 +49,7 @@ int lock_when_free(const Try& attempt) {
 template <class Call>
 int give_back(int descriptor, const Call& call) {
   programs::waits::close_timer(descriptor);
+  programs::waits::forget(descriptor);
   const int status = call();
   if (status >= 0) wake_for_locks();
   return status;

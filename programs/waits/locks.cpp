@@ -15,6 +15,7 @@
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
 #include "programs/waits/cancellation.h"
+#include "programs/waits/handlers.h"
 #include "programs/waits/parking.h"
 #include "programs/waits/virtual_clock.h"
 
@@ -106,6 +107,7 @@ int wait_for_condition(pthread_cond_t* condition, pthread_mutex_t* mutex, Nanose
 
 int wait_for_semaphore(sem_t* semaphore, Nanoseconds deadline) {
   programs::waits::cancellation_point();
+  const unsigned before = programs::waits::interruptions();
   for (;;) {
     if (BARAKA_NEXT(sem_trywait)(semaphore) == 0) return 0;
     if (errno != EAGAIN) return -1;
@@ -118,6 +120,7 @@ int wait_for_semaphore(sem_t* semaphore, Nanoseconds deadline) {
         return -1;
       case Woken::kBySignal:
         programs::waits::cancellation_point();
+        if (deadline == kNever && programs::waits::interruptions() == before) break;
         errno = EINTR;
         return -1;
     }

@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "programs/preload/let_pass.h"
+#include "programs/waits/handlers.h"
 #include "programs/waits/kernel_call.h"
 #include "programs/waits/turn.h"
 
@@ -109,13 +110,25 @@ long set_mask(ucontext_t& context, const Arguments& a) {
 constexpr unsigned long kRestorer = 0x04000000;  // SA_RESTORER
 
 /// The C library's way back from a handler is a system call as well, which must not be caught: the
-/// frame of the handler of SIGSYS would be taken for that of the program's handler.
+/// frame of the handler of SIGSYS would be taken for that of the program's handler. Nor may a
+/// handler block SIGSYS: the thread would die of its first call that is caught.
 long set_action(const Arguments& a) {
-  if (a[0] == SIGSYS || a[0] == kEndWait) return 0;
-  KernelAction action = *pointer<const KernelAction>(a[1]);
-  if ((action.flags & kRestorer) != 0) action.restorer = return_from_handler;
-  return kernel_call(SYS_rt_sigaction,
-                     {a[0], reinterpret_cast<long>(&action), a[2], a[3], a[4], a[5]});
+  const auto signal = static_cast<int>(a[0]);
+  const bool is_set = a[1] != 0;
+  if (is_set && (signal == SIGSYS || signal == kEndWait)) return 0;
+  KernelAction action{}, before{};
+  long result = kernel_call(SYS_rt_sigaction, {a[0], 0, reinterpret_cast<long>(&before), a[3]});
+  if (result != 0) return result;
+  before.handler = given_handler(signal, before.handler);
+  if (is_set) {
+    action = *pointer<const KernelAction>(a[1]);
+    if ((action.flags & kRestorer) != 0) action.restorer = return_from_handler;
+    action.mask &= ~bit_of(SIGSYS);
+    action.handler = put_handler(signal, action.handler, action.flags);
+    result = kernel_call(SYS_rt_sigaction, {a[0], reinterpret_cast<long>(&action), 0, a[3]});
+  }
+  if (result == 0 && a[2] != 0) *pointer<KernelAction>(a[2]) = before;
+  return result;
 }
 
 long as_kernel(long result) { return result == -1 ? -errno : result; }
@@ -128,7 +141,7 @@ long answer_caught(ucontext_t& context) {
       static_cast<long>(registers[REG_RDX]), static_cast<long>(registers[REG_R10]),
       static_cast<long>(registers[REG_R8]),  static_cast<long>(registers[REG_R9])};
   if (number == SYS_rt_sigprocmask) return set_mask(context, arguments);
-  if (number == SYS_rt_sigaction && arguments[1] != 0) return set_action(arguments);
+  if (number == SYS_rt_sigaction) return set_action(arguments);
   return as_kernel(answer(number, arguments));
 }
 

@@ -81,7 +81,7 @@ class Environment {
 /// @param call  with the environment to be used. @return its error.
 template <class Call>
 int start(pid_t* process, char* const* environment, const Call& call) {
-  WaitSlot& slot = programs::waits::take_slot(programs::waits::SlotState::kExpected);
+  WaitSlot& slot = programs::waits::expect_one();
   const Environment variables(environment, slot);
   pid_t unasked = 0;
   pid_t* const number = process != nullptr ? process : &unasked;
@@ -89,8 +89,7 @@ int start(pid_t* process, char* const* environment, const Call& call) {
   if (error != 0) {
     programs::waits::give_back_slot(slot);
   } else {
-    std::int32_t unknown = 0;
-    slot.process.compare_exchange_strong(unknown, *number);
+    programs::waits::expected_is(slot, *number);
   }
   return error;
 }
@@ -127,9 +126,10 @@ std::map<FILE*, pid_t>& shells() {
 
 BARAKA_EXPORTED pid_t fork() noexcept {
   if (own_slot() == nullptr) return BARAKA_NEXT(fork)();
-  WaitSlot& slot = programs::waits::take_slot(programs::waits::SlotState::kExpected);
+  WaitSlot& slot = programs::waits::expect_one();
   const pid_t child = BARAKA_NEXT(fork)();
   if (child < 0) programs::waits::give_back_slot(slot);
+  if (child > 0) programs::waits::expected_is(slot, child);  // it may be killed before it says
   if (child == 0) {
     programs::waits::forget_own_slot();
     programs::waits::adopt(slot);

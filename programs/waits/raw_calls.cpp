@@ -22,6 +22,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/handlers.h"
 #include "programs/waits/kernel_call.h"
 #include "programs/waits/parking.h"
 #include "programs/waits/virtual_clock.h"
@@ -48,16 +49,20 @@ std::uint64_t object_of(const Arguments& a) {
 
 long wait_for_futex(const Arguments& a, programs::waits::Nanoseconds deadline) {
   const auto& word = *pointer<std::atomic<std::uint32_t>>(a[0]);
-  if (word.load() != static_cast<std::uint32_t>(a[2])) return failed(EAGAIN);
-  switch (programs::waits::park(object_of(a), deadline)) {
-    case Woken::kByThread:
-      return 0;
-    case Woken::kByDeadline:
-      return failed(ETIMEDOUT);
-    case Woken::kBySignal:
-      break;
+  const unsigned before = programs::waits::interruptions();
+  for (;;) {
+    if (word.load() != static_cast<std::uint32_t>(a[2])) return failed(EAGAIN);
+    switch (programs::waits::park(object_of(a), deadline)) {
+      case Woken::kByThread:
+        return 0;
+      case Woken::kByDeadline:
+        return failed(ETIMEDOUT);
+      case Woken::kBySignal:
+        break;
+    }
+    if (deadline != programs::waits::kNever || programs::waits::interruptions() != before)
+      return failed(EINTR);
   }
-  return failed(EINTR);
 }
 
 /// Others that wait by the kernel's own call are woken, too. Of operations with priority

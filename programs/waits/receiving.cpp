@@ -42,9 +42,8 @@ using programs::waits::until_done;
 /// @return false: with errno, what the call ends with.
 bool wait_until_readable(int descriptor) {
   if (own_slot() == nullptr || !is_blocking(descriptor, 0)) return true;
-  pollfd one{descriptor, POLLIN, 0};
   const int ready =
-      programs::waits::wait_for_descriptors(&one, 1, receive_deadline(descriptor), nullptr);
+      programs::waits::wait_to_transfer(descriptor, POLLIN, receive_deadline(descriptor));
   if (ready == 0) errno = EAGAIN;
   return ready > 0;
 }

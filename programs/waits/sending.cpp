@@ -84,9 +84,8 @@ ssize_t write_in_steps(int descriptor, const iovec* parts, int count) {
     if (some == 0) return static_cast<ssize_t>(written);
     written += some > 0 ? static_cast<std::size_t>(some) : 0;
     if (some > 0) continue;
-    pollfd one{descriptor, POLLOUT, 0};
-    const bool goes_on = errno == EAGAIN && programs::waits::wait_for_descriptors(
-                                                &one, 1, programs::waits::kNever, nullptr) > 0;
+    const bool goes_on = errno == EAGAIN && programs::waits::wait_to_transfer(
+                                                descriptor, POLLOUT, programs::waits::kNever) > 0;
     if (!goes_on) return written > 0 ? static_cast<ssize_t>(written) : -1;
   }
 }
@@ -107,8 +106,7 @@ ssize_t write_when_possible(const Datagram& datagram, const iovec* parts, int co
   if (datagram.length > PIPE_BUF && count <= IOV_MAX) {
     return write_in_steps(descriptor, parts, count);
   }
-  pollfd one{descriptor, POLLOUT, 0};
-  if (programs::waits::wait_for_descriptors(&one, 1, programs::waits::kNever, nullptr) < 0) {
+  if (programs::waits::wait_to_transfer(descriptor, POLLOUT, programs::waits::kNever) < 0) {
     return -1;
   }
   return write_it();

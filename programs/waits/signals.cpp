@@ -38,10 +38,11 @@ OpenToEnd::~OpenToEnd() {
 }
 
 long told(long status) {
-  if (own_slot() != nullptr) {
-    page()->signals.fetch_add(1);
-    tell_run();
-  }
+  if (own_slot() == nullptr) return status;
+  const int kept = errno;
+  page()->signals.fetch_add(1);
+  give_turn_away();
+  errno = kept;
   return status;
 }
 

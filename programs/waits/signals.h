@@ -16,8 +16,9 @@ class OpenToEnd {
   sigset_t before_{};
 };
 
-/// A signal may have been sent: handlers may run now in threads that are parked, so that the run is
-/// to look at these, too. @return the status, as it is.
+/// A signal may have been sent. What it does, the end of a process or a handler, is over before
+/// anybody goes on, this thread included: the run looks at all threads then, those that are parked,
+/// too. @return the status, as it is.
 long told(long status);
 
 }  // namespace programs::waits

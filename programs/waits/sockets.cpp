@@ -35,7 +35,16 @@ Known* known(int socket) {
   return socket >= 0 && index < all.size() ? &all[index] : nullptr;
 }
 
-Nanoseconds deadline(Nanoseconds timeout) { return timeout == 0 ? kNever : deadline_in(timeout); }
+bool is_socket(int descriptor) {
+  int type = 0;
+  socklen_t length = sizeof type;
+  return BARAKA_NEXT(getsockopt)(descriptor, SOL_SOCKET, SO_TYPE, &type, &length) == 0;
+}
+
+/// A pipe, or any other file, may have the number of a socket that was closed.
+Nanoseconds deadline(int descriptor, Nanoseconds timeout) {
+  return timeout == 0 || !is_socket(descriptor) ? kNever : deadline_in(timeout);
+}
 
 bool is_timeout_option(int option, bool& of_receiving) {
   of_receiving = option == SO_RCVTIMEO_OLD || option == SO_RCVTIMEO_NEW;
@@ -90,12 +99,12 @@ int bind_to_next(int socket, Address& address, in_port_t& port, socklen_t length
 
 Nanoseconds receive_deadline(int socket) {
   const Known* const one = known(socket);
-  return one == nullptr ? kNever : deadline(one->receive_timeout);
+  return one == nullptr ? kNever : deadline(socket, one->receive_timeout);
 }
 
 Nanoseconds send_deadline(int socket) {
   const Known* const one = known(socket);
-  return one == nullptr ? kNever : deadline(one->send_timeout);
+  return one == nullptr ? kNever : deadline(socket, one->send_timeout);
 }
 
 void give_port(int socket) {
@@ -129,6 +138,14 @@ BARAKA_EXPORTED int socket(int domain, int type, int protocol) noexcept {
   return made;
 }
 
+BARAKA_EXPORTED int socketpair(int domain, int type, int protocol, int made[2]) noexcept {
+  const int status = BARAKA_NEXT(socketpair)(domain, type, protocol, made);
+  if (status != 0) return status;
+  programs::waits::forget(made[0]);
+  programs::waits::forget(made[1]);
+  return status;
+}
+
 BARAKA_EXPORTED int bind(int socket, const sockaddr* address, socklen_t length) noexcept {
   using programs::waits::Address;
   if (own_slot() == nullptr || address == nullptr || length > sizeof(Address)) {
@@ -154,11 +171,10 @@ BARAKA_EXPORTED int connect(int socket, const sockaddr* address, socklen_t lengt
   int status = BARAKA_NEXT(connect)(socket, address, length);
   int error = errno;
   if (status != 0 && error == EINPROGRESS) {
-    pollfd one{socket, POLLOUT, 0};
-    status = programs::waits::wait_for_descriptors(&one, 1, programs::waits::send_deadline(socket),
-                                                   nullptr);
+    status =
+        programs::waits::wait_to_transfer(socket, POLLOUT, programs::waits::send_deadline(socket));
     socklen_t size = sizeof error;
-    if (status == 0) error = EINPROGRESS;
+    if (status < 0) error = errno;
     if (status > 0) BARAKA_NEXT(getsockopt)(socket, SOL_SOCKET, SO_ERROR, &error, &size);
     status = status > 0 && error == 0 ? 0 : -1;
   }

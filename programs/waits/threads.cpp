@@ -44,23 +44,17 @@ void* begin_c11(void* given) {
   return reinterpret_cast<void*>(result);  // NOLINT(performance-no-int-to-ptr)
 }
 
-/// Waits until a thread is about to end; then the kernel need only be waited for.
-/// @return 0, or ETIMEDOUT.
-int wait_for_end(pthread_t thread, programs::waits::Nanoseconds deadline) {
-  while (!programs::waits::is_ending(thread)) {
+/// Waits until a thread is about to end; then the kernel need only be waited for. A handler that
+/// runs meanwhile may keep this thread from hearing of the end, so it looks again.
+int join_until(pthread_t thread, void** result, programs::waits::Nanoseconds deadline) {
+  for (;;) {
+    const int error = BARAKA_NEXT(pthread_tryjoin_np)(thread, result);
+    if (error != EBUSY) return error;
+    if (programs::waits::is_ending(thread)) return BARAKA_NEXT(pthread_join)(thread, result);
     programs::waits::cancellation_point();
     const auto woken = programs::waits::park(programs::waits::object_of(thread), deadline);
     if (woken == programs::waits::Woken::kByDeadline) return ETIMEDOUT;
-    if (woken == programs::waits::Woken::kByThread) break;
   }
-  return 0;
-}
-
-int join_until(pthread_t thread, void** result, programs::waits::Nanoseconds deadline) {
-  int error = BARAKA_NEXT(pthread_tryjoin_np)(thread, result);
-  if (error != EBUSY) return error;
-  error = wait_for_end(thread, deadline);
-  return error != 0 ? error : BARAKA_NEXT(pthread_join)(thread, result);
 }
 
 }  // namespace
@@ -72,7 +66,7 @@ BARAKA_EXPORTED int pthread_create(pthread_t* __restrict thread,
   if (own_slot() == nullptr) return next(thread, attributes, function, argument);
   void* const memory = std::malloc(sizeof(Start));
   if (memory == nullptr) return EAGAIN;
-  WaitSlot& slot = programs::waits::take_slot(programs::waits::SlotState::kExpected);
+  WaitSlot& slot = programs::waits::expect_one();
   auto* const start = new (memory) Start{function, argument, &slot};
   const int error = next(thread, attributes, begin, start);
   if (error == 0) return 0;

@@ -14,6 +14,7 @@
 
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
+#include "programs/waits/ports.h"
 #include "programs/waits/virtual_clock.h"
 
 namespace {

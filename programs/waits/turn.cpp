@@ -264,6 +264,20 @@ void give_back_slot(WaitSlot& slot) {
   slot.state.store(SlotState::kFree);
 }
 
+WaitSlot& expect_one() {
+  WaitSlot& slot = take_slot(SlotState::kExpected);
+  slot.process = own_slot()->process.load();
+  slot.thread = netns::kNewThread;
+  return slot;
+}
+
+/// Unless it has said so itself.
+void expected_is(WaitSlot& slot, pid_t process) {
+  std::int32_t maker = own_slot()->process.load(), new_thread = netns::kNewThread;
+  slot.process.compare_exchange_strong(maker, process);
+  slot.thread.compare_exchange_strong(new_thread, 0);
+}
+
 void adopt(WaitSlot& slot) {
   name_thread(slot);
   want_to_go_on(slot);
@@ -351,6 +365,11 @@ bool sleep_until(Nanoseconds until) {
     return true;
   }
   return park(kSleep, until) == Woken::kByDeadline;
+}
+
+void give_turn_away() {
+  WaitSlot* const slot = own_slot();
+  if (slot != nullptr && slot->state.load() == SlotState::kRunning) want_to_go_on(*slot);
 }
 
 void count_look(unsigned weight) {

@@ -33,6 +33,12 @@ WaitSlot* own_slot();
 WaitSlot& take_slot(SlotState state);
 void give_back_slot(WaitSlot& slot);
 
+/// A slot for a thread or process that this thread is about to make. Until it begins, the run frees
+/// the slot if this process ends.
+WaitSlot& expect_one();
+/// It is a process, and exists.
+void expected_is(WaitSlot& slot, pid_t process);
+
 /// Makes the calling thread, which has just begun to exist, the one of a slot of state kExpected,
 /// and waits for its turn.
 void adopt(WaitSlot& slot);
@@ -90,6 +96,10 @@ class KernelWait {
 
 /// Sleeps until a virtual time. @return false: a handler of the program has run before.
 bool sleep_until(Nanoseconds until);
+
+/// Lets those go on that want to; returns when it is this thread's turn again. In a handler that
+/// runs while its thread waits: at once.
+void give_turn_away();
 
 /// Counts looks at the clock, or without waiting at descriptors: a thread that does nothing else
 /// would keep virtual time from passing, so after many of them it sleeps for a short while.

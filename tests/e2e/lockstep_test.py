@@ -105,10 +105,34 @@ class Waits(Held):
         begin, end = map(int, self.log("a", "date").split())
         self.assertEqual((begin, end), (1767225600, 1767229200))
 
+    def test_a_number_of_a_socket_that_was_closed_says_nothing_of_the_next_file(self):
+        code = ("import os, socket, struct, threading, time\n"
+                "def numbers():\n    some = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(2)]\n"
+                "    for one in some: one.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, struct.pack('ll', 0, 1000))\n"
+                "    return [one.fileno() for one in some]\n"
+                "for make in (os.pipe, lambda: [one.detach() for one in socket.socketpair()]):\n"
+                "    before = numbers()\n    out, into = make()\n    assert [out, into] == before, before\n"
+                "    threading.Thread(target=lambda: (time.sleep(0.5), os.write(into, b'x'))).start()\n    print(os.read(out, 1))")
+        self.run_held(scenario(self.folder, {"a": [("reads", [PYTHON, "-c", code], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "reads"), "b'x'\n" * 2)
+
     @unittest.skipIf(len(os.sched_getaffinity(0)) == 1, "needs two processors")
     def test_programs_have_one_processor(self):
         self.run_held(scenario(self.folder, {"a": [("count", ["nproc"], ", on_exit: end")]}))
         self.assertEqual(self.log("a", "count").strip(), "1")
+
+    def test_what_waits_until_everything_is_taken_does(self):
+        """More than a pipe or a socket holds; in parts for who does not wait."""
+        code = ("import os, socket, threading, time\nout, into = os.pipe()\na, b = socket.socketpair()\n"
+                "def take(one):\n    time.sleep(0.5)\n    left = 1000000\n    while left: left -= len(os.read(one, left))\n"
+                "for read, write in ((out, lambda data: os.write(into, data)), (b.fileno(), a.send),\n"
+                "                    (out, lambda data: os.writev(into, [data[:300000], data[300000:]])),\n"
+                "                    (b.fileno(), lambda data: a.sendmsg([data[:300000], data[300000:]]))):\n"
+                "    thread = threading.Thread(target=take, args=[read])\n    thread.start()\n    begin = time.monotonic_ns()\n"
+                "    print(write(bytes(1000000)), time.monotonic_ns() - begin)\n    thread.join()\n"
+                "a.setblocking(False)\nprint(0 < a.send(bytes(1000000)) < 1000000)")
+        self.run_held(scenario(self.folder, {"a": [("writes", [PYTHON, "-c", code], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "writes"), "1000000 500000000\n" * 4 + "True\n")
 
 
     def test_so_is_how_long_the_computer_has_been_on(self):
@@ -210,6 +234,14 @@ class Repeatable(Held):
         other = self.mix(2)
         self.assertNotEqual(other[0], first[0])
         self.assertNotEqual(other[1]["a", "py"], first[1]["a", "py"])
+
+    def test_errors_of_icmp_are_not_limited_by_the_wall_clock(self):
+        code = ("import socket, time\ntime.sleep(0.1)\nfor family, to in ((socket.AF_INET, '10.77.0.2'), (socket.AF_INET6, 'b')):\n"
+                "    s = socket.socket(family, socket.SOCK_DGRAM)\n    s.connect((to, 5000))\n    s.settimeout(1)\n"
+                "    for i in range(70):\n        s.send(b'x')\n        try: s.recv(1)\n        except ConnectionRefusedError: print(i)")
+        self.run_held(scenario(self.folder, {"a": [("sender", [PYTHON, "-c", code], ", on_exit: end")], "b": [
+            ("sleep", ["sleep", 100], "")]}))
+        self.assertEqual(self.log("a", "sender").split(), [str(i) for i in range(70)] * 2)
 
     def test_tcp_is_flagged(self):
         server = "import socket\ns = socket.create_server(('', 80))\nc, _ = s.accept()\nc.sendall(c.recv(100))"

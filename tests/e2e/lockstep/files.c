@@ -294,11 +294,14 @@ static void list_aio(void) {
 }
 static void by_lio_listio(void) { with_pipes(write_later, list_aio); }
 
-static void hear_of_aio(void) {
+static sigset_t signal_of_aio(void) {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGRTMIN + 9);
-  pthread_sigmask(SIG_BLOCK, &set, NULL);
+  return set;
+}
+static void hear_of_aio(void) {
+  const sigset_t set = signal_of_aio();
   prepare_aio();
   control.aio_sigevent = (struct sigevent){.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGRTMIN + 9,
                                            .sigev_value = {.sival_int = 12}};
@@ -311,7 +314,12 @@ static void hear_of_aio(void) {
     check(sigwaitinfo(&set, &info) > 0 && info.si_code == SI_ASYNCIO && info.si_value.sival_int == 12, "its signal");
   check(aio_return(&control) == 1, "what was read");
 }
-static void by_signal_of_aio(void) { with_pipes(write_later, hear_of_aio); }
+/// All threads block the signal, else it would end the process.
+static void by_signal_of_aio(void) {
+  const sigset_t set = signal_of_aio();
+  pthread_sigmask(SIG_BLOCK, &set, NULL);
+  with_pipes(write_later, hear_of_aio);
+}
 static sem_t all_done;
 static void post_all_done(union sigval value) {
   (void)value;
