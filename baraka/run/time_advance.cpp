@@ -35,7 +35,7 @@ void require_no_controllers_inside(const sim::scenario::Scenario& scenario) {
 /// Programs that follow the wall clock cannot run faster than it.
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
-  const std::string pace = options.pace.empty() ? check::default_pace(scenario) : options.pace;
+  std::string pace = options.pace.empty() ? check::default_pace(scenario) : options.pace;
   if (!network::has_network(scenario)) return pace;
   const std::optional<double> factor = check::real_time_factor(pace);
   if (!factor) {

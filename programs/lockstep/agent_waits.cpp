@@ -222,6 +222,15 @@ bool AgentWaits::is_asleep(std::size_t i) {
   return false;
 }
 
+bool AgentWaits::is_to_be_seen(std::size_t i, bool looks_at_parked) const {
+  const WaitSlot& one = page_.slots[i];
+  const SlotState state = one.state.load();
+  if (state == SlotState::kWants) return looks_at_parked;
+  if (state != SlotState::kWaiting) return false;
+  return looks_at_parked || one.kind.load() == WaitKind::kInKernel ||
+         threads_[i].ticket != one.ticket.load();
+}
+
 bool AgentWaits::are_all_asleep() {
   const std::uint32_t signals = page_.signals.load();
   looks_at_parked_ = looks_at_parked_ || signals != signals_;
@@ -230,13 +239,8 @@ bool AgentWaits::are_all_asleep() {
   has_seen_awake_ = false;
   bool are_all = true;
   for (std::size_t i = 0; i < used(); ++i) {
-    const WaitSlot& one = slot(i);
-    const SlotState state = one.state.load();
-    const bool may_handle = state == SlotState::kWants && looks_at_parked;
-    if (state != SlotState::kWaiting && !may_handle) continue;
-    const std::uint64_t ticket = one.ticket.load();
-    const bool is_known = threads_[i].ticket == ticket && !looks_at_parked;
-    if (one.kind.load() == WaitKind::kParked && is_known) continue;
+    if (!is_to_be_seen(i, looks_at_parked)) continue;
+    const std::uint64_t ticket = slot(i).ticket.load();
     if (is_asleep(i)) {
       threads_[i].ticket = ticket;
     } else {

@@ -84,6 +84,18 @@ int wait_to_transfer(int descriptor, short events, Nanoseconds deadline) {
   }
 }
 
+namespace {
+
+/// @return false: with errno, what the call ends with.
+bool wait_once(pollfd* descriptors, nfds_t count, Nanoseconds deadline, const sigset_t& blocked) {
+  KernelWait wait(deadline, is_to_send(descriptors, count) ? netns::kSendingObject : 0);
+  const int status = BARAKA_NEXT(ppoll)(descriptors, count, nullptr, &blocked);
+  wait.end();
+  return status >= 0 || errno == EINTR;
+}
+
+}  // namespace
+
 int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline,
                          const sigset_t* signals) {
   cancellation_point();
@@ -104,10 +116,7 @@ int wait_for_descriptors(pollfd* descriptors, nfds_t count, Nanoseconds deadline
     const sigset_t blocked = blocked_in_wait(signals);
     if (is_over() && deadline != kNever)
       return BARAKA_NEXT(ppoll)(descriptors, count, &kLastStep, &blocked);
-    KernelWait wait(deadline, is_to_send(descriptors, count) ? netns::kSendingObject : 0);
-    const int status = BARAKA_NEXT(ppoll)(descriptors, count, nullptr, &blocked);
-    wait.end();
-    if (status < 0 && errno != EINTR) return -1;
+    if (!wait_once(descriptors, count, deadline, blocked)) return -1;
     cancellation_point();
   }
 }

@@ -65,14 +65,15 @@ class Victims:
             try:
                 comm = pathlib.Path(f"/proc/{pid}/comm").read_text().strip()
                 is_init = comm == "baraka-init" and is_first_of_its_namespace(pid)
-                is_inside = is_inside_an_agent(pid)
+                # Others of init's name make the namespaces, or are about to become a program.
+                is_program = is_inside_an_agent(pid) and comm != "baraka-init"
             except OSError:
                 continue
             if comm == "baraka-holder":
                 found["holder"] = pid
             elif is_init:
                 found["init"] = pid
-            elif is_inside:
+            elif is_program:
                 found["program"] = pid
         return found
 
