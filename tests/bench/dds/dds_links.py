@@ -84,8 +84,8 @@ def shown(case, rows, there):
     inside = ("yes" if is_inside(statistics.median(second), there) else "no") if second and there["first_median"] else "-"
     return [case["vendor"], case["loss"],
             figures.with_interval(figures.median(shares), figures.interval(shares, figures.median)), there["share"],
-            spread(second), beside, inside, spread(first), f"{statistics.median(after):.3f}" if after else "-", there["after_first"] or "-",
-            f"{len(rows) - len(first)} of {len(rows)}", f"{there['never']} of {there['runs']}"]
+            spread(second), beside, inside, spread(first), f"{statistics.median(after):.3f}" if after else "-",
+            there["after_first"] or "-", f"{len(rows) - len(first)} of {len(rows)}", f"{there['never']} of {there['runs']}"]
 
 
 def main():
