@@ -65,7 +65,7 @@ def spread(values):
 
 
 def is_inside(value, there):
-    """Within the published least and most, which are times of lines that perf_test printed, some hundredths late."""
+    """Within the published least and most, which are times of lines that perf_test printed, up to 0.3 s late."""
     return math.floor(float(there["first_least"])) <= value <= float(there["first_most"])
 
 
