@@ -175,6 +175,13 @@ std::function<std::optional<hal::Duration>(hal::Time)> hold_by(live::LiveView* v
   };
 }
 
+/// @return the exit status.
+int end_before_begin(Results& results, const std::string& what, bool failed) {
+  results.say_not_started(what);
+  hal::print_line(hal::Tone::kMistake, "error: " + hal::printable(what));
+  return failed ? gateway::process::kRunFailed : gateway::process::kInterrupted;
+}
+
 int run(const RunOptions& options, const Scenario& scenario, const TimeAdvance& time_advance,
         topics::RunInspection& inspection, Results& results) {
   const std::optional<int> domain = domain_of(options);
@@ -184,11 +191,7 @@ int run(const RunOptions& options, const Scenario& scenario, const TimeAdvance& 
   network::open_programs_door(scenario, simulation);
   std::optional<pace::WallPace> pace;
   const ForcedEnd forced_end([&](const std::string& what, bool failed) -> int {
-    if (!results.has_begun()) {
-      results.say_not_started(what);
-      hal::print_line(hal::Tone::kMistake, "error: " + hal::printable(what));
-      return failed ? gateway::process::kRunFailed : gateway::process::kInterrupted;
-    }
+    if (!results.has_begun()) return end_before_begin(results, what, failed);
     pace->end();
     return conclude(
         results, judge, simulation,

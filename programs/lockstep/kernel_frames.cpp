@@ -10,7 +10,6 @@ using Frame = KernelFrames::Frame;
 constexpr std::size_t kEthernet = 14, kIpv4 = 20, kIpv6 = 40;
 constexpr std::uint16_t kTypeIpv4 = 0x0800, kTypeArp = 0x0806, kTypeIpv6 = 0x86dd;
 constexpr std::int64_t kRepeatAfter = 1'000'000'000;
-constexpr int kMostRequests = 3;
 
 std::uint16_t word(Frame bytes, std::size_t at) {
   return static_cast<std::uint16_t>(bytes[at] << 8 | bytes[at + 1]);
@@ -134,15 +133,10 @@ void KernelFrames::on_received(Frame ethernet) {
 }
 
 void KernelFrames::repeat(std::int64_t now, const std::function<void(Frame)>& send) {
-  for (auto one = requests_.begin(); one != requests_.end();) {
-    Request& request = one->second;
-    if (request.next > now) {
-      ++one;
-      continue;
-    }
+  for (auto& [address, request] : requests_) {
+    if (request.next > now) continue;
     send(request.frame);
     request.next += kRepeatAfter;
-    one = ++request.sent >= kMostRequests ? requests_.erase(one) : std::next(one);
   }
 }
 

@@ -18,8 +18,9 @@ namespace programs::lockstep {
 /// - Redirects (RFC 792; RFC 4861, 8), which save a hop at best, are dropped: how many a station
 ///   sends is limited by the kernel's time.
 /// - Address resolution (ARP, RFC 826; neighbour solicitations, RFC 4861) is repeated by virtual
-///   time: every second until it is answered, three times in all (MAX_MULTICAST_SOLICIT,
-///   RETRANS_TIMER of RFC 4861, 10, which Linux uses for ARP, too). The kernel's own timers stand.
+///   time: every second (RETRANS_TIMER of RFC 4861, 10, which Linux uses for ARP, too) until it is
+///   answered. Linux gives up after three requests and begins anew with the next packet; its timers
+///   stand here, so it does neither. To a program that goes on sending this is the same.
 /// - The identification of IPv4 packets is counted per agent (RFC 6864), that of the fragments of
 ///   one packet alike.
 class KernelFrames {
@@ -43,7 +44,6 @@ class KernelFrames {
   struct Request {
     std::vector<std::uint8_t> frame;
     std::int64_t next = 0;
-    int sent = 1;
   };
 
   void number(std::span<std::uint8_t> packet);

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Pings between two stations while forty others, on a channel that does not reach them, end their DDS programs: what still
 comes for these is answered with ICMP errors. What the kernel of p1 did not send is its OutErrors; the rest of
-what is lost came too late on a computer that was too slow. For each seed:
+what is lost came too late on a computer that was too slow. In real time: what is measured are limits of the kernel, by the
+wall clock. For each seed:
 
     together   all in one run; the programs end after 7.2 s
     control    the same, and the programs do not end
@@ -89,7 +90,7 @@ def start(folder, number, agents, seed, words):
     log = open(folder / f"{number}.log", "w", encoding="utf-8")
     with log:
         return subprocess.Popen([*words, BIN / "baraka", "run", file, "--seed", str(seed), "--out", folder / str(number),
-                                 "--no-inspect"], stdout=log, stderr=log)
+                                 "--no-inspect", "--pace", "realtime"], stdout=log, stderr=log)
 
 
 def errors(text):

@@ -19,9 +19,9 @@ def rows(text):
 
 
 class DdsBenches(Case):
-    def measure(self, name, *arguments):
+    def measure(self, name, *arguments, store="store"):
         done = subprocess.run([sys.executable, BENCHES / f"{name}.py", "--build", BIN.parent, "--store",
-                               self.folder / "store", "--kept", self.folder / "kept", *map(str, arguments)],
+                               self.folder / store, "--kept", self.folder / "kept", *map(str, arguments)],
                               capture_output=True, text=True, timeout=300, check=False)
         logs = [file.read_text() for file in (self.folder / "kept").rglob("*.log")]
         self.assertEqual(done.returncode, 0, "\n".join([done.stdout, done.stderr, *logs]))
@@ -35,12 +35,17 @@ class DdsBenches(Case):
         arguments = ("--stations", 3, "--factors", 1, 0.5, "--seconds", 2, "--rate", 100, "--peer-stations")
         printed = self.measure("air_latency", *arguments)
         found = rows(printed)
-        self.assertEqual([(row["stations"], row["factor"]) for row in found], [("3", "1.00"), ("3", "0.500")], printed)
+        self.assertEqual([(row["stations"], row["pace"]) for row in found],
+                         [("3", "lock-step"), ("3", "1.00"), ("3", "0.500")], printed)
         for row in found:
             self.assertGreater(int(row["samples"]), 600, printed)
             self.assertGreater(float(row["p50, ms"].split()[0]), 0.1, "the air alone takes that")
+        self.assertEqual([row["late in, p99, us"] == "-" for row in found], [True, False, False], printed)
         self.assertIn("from 1 to 0.5 the median moves by", printed)
         self.again("air_latency", printed, *arguments)
+        alone = rows(self.measure("air_latency", *(word for word in arguments if word not in ("--factors", 1, 0.5))))
+        self.assertEqual([row["pace"] for row in alone], ["lock-step"])
+        self.assertNotIn("late in, p99, us", alone[0])
 
     def test_loss(self):
         printed = self.measure("dds_loss", "--short")
@@ -55,6 +60,8 @@ class DdsBenches(Case):
         self.assertGreater(shares[0], 0.5, printed)
         self.assertLess(shares[1], 0.8 * shares[0], printed)  # 0.36 of the frames pass both links
         self.again("dds_links", printed, "--short")
+        anew = self.measure("dds_links", "--short", store="anew")
+        self.assertEqual(rows(anew), rows(printed), "in lock-step equal runs are equal")
 
     def test_storm(self):
         printed = self.measure("discovery_storm", "--short")

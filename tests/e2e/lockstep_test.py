@@ -15,6 +15,7 @@ from baraka import BIN, ROOT, Case, send, wait_for
 REFUSED = wire.why_not()
 WAITS = BIN.parent / "tests/lockstep_waits"
 ECHO_IN_C = BIN.parent / "tests/lockstep_echo"
+SPINNER = BIN.parent / "tests/mutex_spinner"
 STILL = BIN.parent / "tests/still"
 PYTHON = "/usr/bin/python3"
 SEEDS_OF_MIX = (1, 2)
@@ -293,6 +294,14 @@ class Programs(Held):
                 "read -t 3 line < <(sleep 9); date +%s")
         self.run_held(scenario(self.folder, {"a": [("shell", ["bash", "-c", code], ", on_exit: end")]}))
         self.assertEqual(self.log("a", "shell").split(), ["trapped", "1767225602", "1767225602", "1767225605"])
+
+    def test_a_thread_that_spins_on_a_mutex_lets_others_go_on(self):
+        file = scenario(self.folder, {"a": [("spinner", [SPINNER], ", on_exit: end")]})
+        out = self.run_held(file).out
+        self.assertIn("result: spinner", out)
+        took = int(self.log("a", "spinner"))
+        self.assertTrue(1_000_000 <= took < 1_400_000, took)  # the longest step of a spinner is 0.32 ms
+        self.assertNotIn("program_spins: 0", out)
 
     def test_the_random_device_does_not_end(self):
         code = "head -c 300000 /dev/urandom | tail -c 100000 | od -An -tx1 -v"

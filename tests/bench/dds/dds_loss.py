@@ -67,7 +67,7 @@ def measure(case, options):
         pooled = found.pooled()
         wrote = [int(row["mono_ns"]) for row in journals.rows(run.folder / "0.csv") if row["event"] == "write"]
         span = 1e-9 * (max(wrote) - min(wrote)) if len(wrote) > 1 else None
-        return {"status": run.status, "offered": found.offered, "written": found.written, "received": found.received,
+        return {"status": run.status, **run.cost(), "offered": found.offered, "written": found.written, "received": found.received,
                 "span": span, "p50": 1e3 * figures.quantile(pooled, 0.5) if pooled else None,
                 "p99": 1e3 * figures.quantile(pooled, 0.99) if pooled else None, **of_ledger(run), "summary": run.out}
 
@@ -95,7 +95,7 @@ def main():
     parser = own.parser(__doc__)
     parser.add_argument("--runs", type=int, default=10)
     parser.add_argument("--parallel", type=int, default=1, help="runs at a time")
-    parser.add_argument("--factor", type=float, default=1, help="of real time")
+    own.add_factor(parser)
     parser.add_argument("--seconds", type=float, default=10, help="of publishing")
     parser.add_argument("--linger", type=float, default=3, help="s for the last repairs")
     parser.add_argument("--discovery", type=float, default=40, help="s that may pass until they know each other")
@@ -115,6 +115,7 @@ def main():
     rows = store.get_all(whole, lambda case: measure(case, options), options.parallel)
     print(figures.table(COLUMNS, [shown(case, [row for row in rows if all(row[key] == case[key] for key in case)])
                                   for case in cases]))
+    print(own.costs(rows))
 
 
 if __name__ == "__main__":

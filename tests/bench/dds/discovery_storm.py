@@ -47,7 +47,7 @@ def measure(case, options):
     written = own.scenario(stations_of(case, options), seconds, own.radio())
     with own.played(options.build, written, options.factor, seed=1 + case["run"], kept=options.kept) as run:
         found = {i: run.folder / f"{i}.csv" for i in range(case["participants"])}
-        return {"status": run.status, "matched_s": journals.matched_after(found, case["participants"] - 1),
+        return {"status": run.status, **run.cost(), "matched_s": journals.matched_after(found, case["participants"] - 1),
                 "air": air_by_kind(run), "summary": run.out}
 
 
@@ -63,17 +63,18 @@ def main():
     parser.add_argument("--participants", type=int, nargs="+", default=[5, 10, 20, 40])
     parser.add_argument("--discovery", nargs="+", choices=KINDS, default=list(KINDS))
     parser.add_argument("--runs", type=int, default=3)
-    parser.add_argument("--factor", type=float, default=0.2, help="of real time")
+    parser.add_argument("--parallel", type=int, default=1, help="runs at a time")
+    own.add_factor(parser)
     parser.add_argument("--seconds", type=float, default=30, help="simulated, from the start of the programs")
     parser.add_argument("--short", action="store_true", help="two small cases, to see that it works")
     options = parser.parse_args()
     if options.short:
-        options.participants, options.runs, options.factor, options.seconds = [2, 4], 1, 1, 4
+        options.participants, options.runs, options.seconds = [2, 4], 1, 4
         options.discovery = ["cyclone, multicast"]
     store = Store(options.store)
     cases = [{"discovery": kind, "participants": count} for kind in options.discovery for count in options.participants]
     rows = store.get_all([{**case, "run": run} for case in cases for run in range(options.runs)],
-                         lambda case: measure(case, options))
+                         lambda case: measure(case, options), options.parallel)
     kinds = sorted({kind for row in rows for kind in row["air"]})
     lines, growth = [], collections.defaultdict(list)
     for case in cases:
@@ -85,6 +86,7 @@ def main():
         lines.append([case["discovery"], case["participants"], statistics.median(times) if times else None,
                       len(some) - len(times), total, *(air[kind] for kind in kinds)])
     print(figures.table(["discovery", "participants", "all matched, s", "never", "air time, s", *kinds], lines))
+    print(own.costs(rows))
     for kind, points in growth.items():
         if len(points) > 1 and all(air > 0 for _, air in points):
             slope, error = figures.growth_exponent(points)

@@ -6,8 +6,10 @@ import random
 import tempfile
 import unittest
 
+import dds_links
 import figures
 import journals
+import own
 
 
 class Figures(unittest.TestCase):
@@ -91,6 +93,21 @@ class Journals(unittest.TestCase):
                  "created,t,1100,0,1,,,,,\nwriters,t,1500,0,1,1,,,,\nreaders,t,2900,0,1,1,,,,\n"]
         self.assertAlmostEqual(journals.matched_after(self.journals(*texts), 1), 1900e-9)
         self.assertIsNone(journals.matched_after(self.journals(texts[0], "created,t,1,0,1,,,,,\n"), 1))
+
+
+class Runs(unittest.TestCase):
+    def test_runs_are_in_lock_step_unless_a_factor_is_given(self):
+        self.assertEqual([own.pace(factor) for factor in (None, own.LOCKSTEP, 0.05)], ["lockstep", "lockstep", "realtime:0.05"])
+
+    def test_costs_add_up(self):
+        rows = [{"simulated": 20.0, "wall": 1.5}, {"simulated": 30.0, "wall": 2.5}]
+        self.assertEqual(own.costs(rows), "2 runs, 50 s simulated in 4 s: 12.5 times real time")
+
+    def test_the_line_of_a_second_is_printed_a_little_later(self):
+        there = {"first_least": "1.0", "first_most": "3.1"}
+        self.assertEqual([dds_links.is_inside(value, there) for value in (0.5, 1, 2.5, 3, 4)],
+                         [False, True, True, True, False])
+        self.assertTrue(dds_links.is_inside(8, {"first_least": "8.2", "first_most": "15.3"}), "8.2 ends the eighth second")
 
 
 if __name__ == "__main__":

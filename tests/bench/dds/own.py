@@ -10,11 +10,13 @@ import shutil
 import sqlite3
 import subprocess
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROFILES = ROOT / "config/dds"
 CONFIGURATION = {"cyclone": "CYCLONEDDS_URI", "fastdds": "FASTRTPS_DEFAULT_PROFILES_FILE"}
 WITHOUT_RESULT = "time_over"
+LOCKSTEP = "lock-step"
 
 
 @dataclasses.dataclass
@@ -72,8 +74,9 @@ def scenario(stations, seconds, of_radio, **more):
 class Results:
     """Of one run, until the end of the `with` that began it."""
 
-    def __init__(self, folder, done):
+    def __init__(self, folder, done, wall):
         self.folder, self.status, self.out, self.err = folder, done.returncode, done.stdout, done.stderr
+        self.wall = wall  # s that the run took
 
     def __str__(self):
         return f"status {self.status}\n{self.out}\n{self.err}"
@@ -84,6 +87,10 @@ class Results:
         if found is None and otherwise is None:
             raise SystemExit(f"no '{key}:' in\n{self}")
         return found.group(1) if found else otherwise
+
+    def cost(self):
+        """Seconds that it simulated, and seconds that it took."""
+        return {"simulated": float(self.line("simulated_s")), "wall": self.wall}
 
     def query(self, sql):
         with contextlib.closing(sqlite3.connect(f"file:{self.folder / 'run.sqlite'}?mode=ro", uri=True)) as database:
@@ -99,17 +106,34 @@ def parser(text):
     return made
 
 
+def add_factor(made):
+    """To a parser(): for benches of which all runs have one pace."""
+    made.add_argument("--factor", type=float, help="of real time; default: in lock-step")
+
+
+def pace(factor):
+    """Option of `baraka run`. factor: of real time; None or LOCKSTEP: in lock-step."""
+    return "lockstep" if factor in (None, LOCKSTEP) else f"realtime:{factor}"
+
+
+def costs(rows):
+    """A line of text: what runs with cost() took, one after the other."""
+    simulated, wall = (sum(row[key] for row in rows) for key in ("simulated", "wall"))
+    return f"{len(rows)} runs, {simulated:.0f} s simulated in {wall:.0f} s: {simulated / wall:.1f} times real time"
+
+
 @contextlib.contextmanager
-def played(build, written, factor=1, seed=1, kept=None, timeout=None):
-    """Results of a run of a scenario(...), at a factor of real time. kept: a folder for the scenario and log of a run that
+def played(build, written, factor=None, seed=1, kept=None, timeout=None):
+    """Results of a run of a scenario(...), at the pace(factor). kept: a folder for the scenario and log of a run that
     fails."""
     with tempfile.TemporaryDirectory(prefix="baraka-measured-") as name:
         file, out = pathlib.Path(name) / "measured.yaml", pathlib.Path(name) / "run"
         file.write_text(json.dumps(written, indent=1))
         command = [build / "bin/baraka", "run", file, "--out", out, "--seed", seed, "--no-inspect", "--pace",
-                   f"realtime:{factor}"]
+                   pace(factor)]
+        begin = time.monotonic()
         done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=timeout, check=False)
-        results = Results(out, done)
+        results = Results(out, done, time.monotonic() - begin)
         if done.returncode != 0 and kept is not None:
             shutil.copytree(name, kept, dirs_exist_ok=True)
         yield results

@@ -62,7 +62,7 @@ def measure(case, options):
         found = journals.totals({i: run.folder / f"{i}.csv" for i in range(len(places))})
         pooled = found.pooled()
         (air,), = run.query("SELECT sum(airtime_ns) FROM air_accounts")
-        return {"status": run.status, "delivered": found.delivered,
+        return {"status": run.status, **run.cost(), "delivered": found.delivered,
                 "p50": 1e3 * figures.quantile(pooled, 0.5) if pooled else None,
                 "p99": 1e3 * figures.quantile(pooled, 0.99) if pooled else None,
                 "air": air * 1e-9 / float(run.line("simulated_s")), "summary": run.out}
@@ -78,7 +78,7 @@ def main():
     parser.add_argument("--traffic", nargs="+", choices=TRAFFIC, default=list(TRAFFIC))
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--parallel", type=int, default=1, help="runs at a time")
-    parser.add_argument("--factor", type=float, default=1, help="of real time")
+    own.add_factor(parser)
     parser.add_argument("--seconds", type=float, default=10, help="of publishing")
     parser.add_argument("--linger", type=float, default=3, help="s for the last repairs")
     parser.add_argument("--discovery", type=float, default=40, help="s that may pass until they know each other")
@@ -103,6 +103,7 @@ def main():
         lines += [[row["traffic"], row["radio"], row["profile"], row["delivered"], row["p50"], row["p99"], row["air"],
                    "yes" if row in best else ""] for row in means]
     print(figures.table(COLUMNS, lines))
+    print(own.costs(rows))
 
 
 if __name__ == "__main__":
