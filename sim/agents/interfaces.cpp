@@ -157,17 +157,27 @@ void Interfaces::set_turn(AgentInterface& one, hal::Time at) {
 }
 
 /// What is sent goes into the queue of the station before the programs are told how much room is
-/// left, which may let them send more.
+/// left, which may let them send more. What became no frame, because the kernel waits for the
+/// address of a neighbour, takes no room: without time in between its sender would never wait.
 void Interfaces::take_turn(std::size_t i) {
+  constexpr hal::Duration kBetweenLost{200'000};
   AgentInterface& one = interfaces_[i];
   const hal::Time now = home_.events.now();
+  std::size_t frames = 0;
   do {
-    const bool goes_on = programs_->go_on(
-        one.agent, now, [&](std::span<const std::uint8_t> frame) { arrive(one.door, frame); });
+    frames = 0;
+    const bool goes_on = programs_->go_on(one.agent, now, [&](std::span<const std::uint8_t> frame) {
+      ++frames;
+      arrive(one.door, frame);
+    });
     if (!goes_on) return home_.break_off();
     tell_room(one);
-  } while (programs_->has_woken(one.agent));
-  const auto next = programs_->deadline(one.agent);
+  } while (programs_->has_woken(one.agent) && frames > 0);
+  auto next = programs_->deadline(one.agent);
+  if (programs_->has_woken(one.agent)) {
+    const hal::Time again = now + kBetweenLost;
+    next = std::min(next.value_or(again), again);
+  }
   if (next) set_turn(one, std::max(*next, now + hal::Duration{1}));
 }
 

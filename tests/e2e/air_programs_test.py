@@ -164,7 +164,7 @@ end: [{{at: 21 s, result: done}}]
         scenario = self.scenario(
             station("a", 0, program("client", "iperf3", "-c", "b", "-t", "2", start="500 ms", on_exit="end")),
             station("b", 5, program("server", "iperf3", "-s", start="0 s")))
-        finished = self.run_baraka(scenario)
+        finished = self.run_baraka(scenario, *REAL_TIME)
         self.assertEqual(finished["result"], "client", str(finished))
         self.assertRegex(self.log("a.client.log"), r"receiver")
         self.assertNotIn("TCP", finished.err)
@@ -332,7 +332,7 @@ for i in range(200):  # their ports are closed, their answers as long as such ma
         finished = self.run_baraka(self.scenario(
             station("a", 0, ", ".join([program("strangers", wire.PYTHON, "-c", self.STRANGERS),
                                        program("ping", "ping", "-c", "100", "-i", "0.05", "-W", "1", "b", start="2 s", on_exit="end")])),
-            station("b", 5), *others, radio=FAST_RADIO))
+            station("b", 5), *others, radio=FAST_RADIO), *REAL_TIME)
         self.assertEqual(finished["result"], "ping", str(finished))
         return finished.err
 

@@ -303,6 +303,14 @@ class Programs(Held):
         self.assertTrue(1_000_000 <= took < 1_400_000, took)  # the longest step of a spinner is 0.32 ms
         self.assertNotIn("program_spins: 0", out)
 
+    def test_a_sender_whose_neighbour_does_not_answer_lets_time_pass(self):
+        """Its packets wait for an address, so that they never fill the queue of the station."""
+        code = ("import socket\ns = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\ns.connect(('10.77.0.9', 5000))\n"
+                "while True:\n    try: s.send(bytes(1000))\n    except OSError: pass")
+        finished = self.run_held(scenario(self.folder, {"a": [("flood", [PYTHON, "-c", code], "")]}), "--set", "end.0.at=2 s")
+        self.assertEqual(finished["result"], "late")
+        self.assertEqual(finished["frames_dropped"], "0")
+
     def test_the_random_device_does_not_end(self):
         code = "head -c 300000 /dev/urandom | tail -c 100000 | od -An -tx1 -v"
         self.run_held(scenario(self.folder, {"a": [("random", ["sh", "-c", code], ", on_exit: end")]}))
