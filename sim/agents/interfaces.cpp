@@ -160,7 +160,7 @@ void Interfaces::set_turn(AgentInterface& one, hal::Time at) {
 /// left, which may let them send more. What became no frame, because the kernel waits for the
 /// address of a neighbour, takes no room: without time in between its sender would never wait.
 void Interfaces::take_turn(std::size_t i) {
-  constexpr hal::Duration kBetweenLost{200'000};
+  constexpr hal::Duration kBetweenLost{1'000'000};
   AgentInterface& one = interfaces_[i];
   const hal::Time now = home_.events.now();
   std::size_t frames = 0;

@@ -307,7 +307,7 @@ class Programs(Held):
         """Its packets wait for an address, so that they never fill the queue of the station."""
         code = ("import socket\ns = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\ns.connect(('10.77.0.9', 5000))\n"
                 "while True:\n    try: s.send(bytes(1000))\n    except OSError: pass")
-        finished = self.run_held(scenario(self.folder, {"a": [("flood", [PYTHON, "-c", code], "")]}), "--set", "end.0.at=2 s")
+        finished = self.run_held(scenario(self.folder, {"a": [("flood", [PYTHON, "-c", code], "")]}), "--set", "end.0.at=1 s")
         self.assertEqual(finished["result"], "late")
         self.assertEqual(finished["frames_dropped"], "0")
 
