@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "gateway/process/find_program.h"
 #include "gateway/runtime/plugin.h"
