@@ -7,7 +7,8 @@
 Stations on a circle of 5 m, 802.11g at 54 Mb/s. Loads: ddsperf of Cyclone DDS, of which one pings ten times a second and
 the others answer; Fast DDS, of which each writes 100 B ten times a second to the next one; forty programs of Cyclone DDS
 that come up at once; ten robots that drive, of which each sends 1 kB to the next one ten times a second (--hour: for an
-hour). A delivery is a frame of a program that reaches a receiver; a broadcast counts once for each. --beside: each load
+hour). The run and its programs share one processor and are never idle in lock-step: on a quiet machine the wall time is the
+processor's. A delivery is a frame of a program that reaches a receiver; a broadcast counts once for each. --beside: each load
 at this factor of real time, too, and what part of its frames were late.
 """
 import pathlib
@@ -23,7 +24,7 @@ DRIVING = {"robot": {"include": str(own.ROOT / "config/robots/robertino.yaml")},
            "controller": {"program": "wanderer", "parameters": {"speed": "0.5 m/s"}}}
 WALLS = [{"name": f"wall {x} {y}", "size": [f"{20 if x == 0 else 0.1} m", f"{20 if y == 0 else 0.1} m", "0.5 m"],
           "position": [f"{x} m", f"{y} m"]} for x, y in ((0, 10), (0, -10), (10, 0), (-10, 0))]
-COLUMNS = ["load", "stations", "pace", "simulated, s", "wall time, s", "speed", "deliveries", "us per delivery", "turns",
+COLUMNS = ["load", "stations", "pace", "simulated, s", "wall time, s", "processor, s", "speed", "deliveries", "us per delivery", "turns",
            "us per turn", "retransmitted", "late"]
 
 
@@ -73,14 +74,16 @@ def measure(case, options):
             raise SystemExit(str(run))
         sent, again = run.query("SELECT sum(frames), sum(retries) FROM air_accounts")[0]
         (delivered,), = run.query("SELECT coalesce(sum(count), 0) FROM packets")
-        return {**run.cost(), "wall": float(run.line("wall_s")), "deliveries": delivered, "retransmitted": again / sent,
+        wall = float(run.line("wall_s"))
+        processor = wall * (float(run.line("cpu_load")) + float(run.line("cpu_load_programs")))
+        return {**run.cost(), "wall": wall, "processor": processor, "deliveries": delivered, "retransmitted": again / sent,
                 "turns": int(run.line("program_turns", "0")), "late": run.line("program_frames_late", "")}
 
 
 def shown(row):
     wall = row["wall"]
     return [row["load"], row["stations"], own.pace(row["factor"]), figures.number(row["simulated"]), figures.number(wall),
-            figures.number(row["simulated"] / wall), row["deliveries"],
+            figures.number(row["processor"]), figures.number(row["simulated"] / wall), row["deliveries"],
             figures.number(1e6 * wall / row["deliveries"]) if row["deliveries"] else "-", row["turns"] or "-",
             figures.number(1e6 * wall / row["turns"]) if row["turns"] else "-", figures.number(row["retransmitted"]),
             row["late"] or "-"]
