@@ -22,26 +22,13 @@ namespace {
 
 constexpr double kLeastFactorOfPrograms = 0.01;
 
-void require_no_controllers_inside(const sim::scenario::Scenario& scenario) {
-  const sim::scenario::Group* const inside = check::first_with_controllers_inside(scenario);
-  if (inside == nullptr) return;
-  throw gateway::process::UsageError(
-      fmt::format("--pace: lockstep: the controllers of {} run inside their agents, which "
-                  "lock-step cannot hold "
-                  "yet; take realtime",
-                  inside->name));
-}
-
 /// Programs that follow the wall clock cannot run faster than it.
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
-  std::string pace = options.pace.empty() ? check::default_pace(scenario) : options.pace;
+  const std::string pace = options.pace.empty() ? check::kDefaultPace : options.pace;
   if (!network::has_network(scenario)) return pace;
   const std::optional<double> factor = check::real_time_factor(pace);
-  if (!factor) {
-    require_no_controllers_inside(scenario);
-    return pace;
-  }
+  if (!factor) return pace;
   if (std::isfinite(options.max_speed)) {
     throw gateway::process::UsageError(
         "--max-speed: agents with a network follow the clock; --pace realtime:F makes a run and "

@@ -145,12 +145,14 @@ std::vector<Event>& Simulation::State::take_events() {
 
 void Simulation::State::exchange(hal::Time window_end) {
   std::vector<Event>& all = take_events();
-  if (all.empty()) return;
+  if (all.empty() && !controllers.is_one_awaited()) return;
   Controllers::Round round = controllers.exchange(all, window_end);
   on_failures(round.failures);
   for (Controllers::Answer& answer : round.answers) {
     if (error.empty()) take_effect(std::move(answer));
   }
+  // What controllers in the agents' networks have sent meanwhile.
+  if (controllers.share_time()) interfaces.serve_outsiders(events.now());
 }
 
 bool Simulation::State::is_of_dead(hal::AgentId agent, hal::Time event_time) const {
@@ -232,6 +234,10 @@ void Simulation::State::stop_controllers() {
   Controllers::Round round = controllers.exchange(take_events(), events.now());
   for (const Controllers::Failure& failure : round.failures) {
     hal::log::warning(events.now(), "run", "at the stop: {}", failure.error.message);
+  }
+  for (const std::string& name : controllers.awaited()) {
+    hal::log::warning(events.now(), "run",
+                      "at the stop: process '{}' waits for simulated time, which is over", name);
   }
   for (const Controllers::Answer& answer : round.answers) apply_last(answer.action);
 }
