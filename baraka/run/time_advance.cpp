@@ -118,8 +118,8 @@ std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
 std::vector<sim::OutsideArrival> take_of_programs(std::vector<sim::OutsideArrival>& arrivals) {
   std::vector<sim::OutsideArrival> of_programs, others;
   for (sim::OutsideArrival& one : arrivals) {
-    const bool is_of_programs =
-        one.door == network::kProgramsDoor || sim::agents::is_air_door(one.door);
+    const bool is_of_programs = one.door == network::kProgramsDoor ||
+                                sim::agents::is_air_door(one.door) || controllers::is_reply(one);
     (is_of_programs ? of_programs : others).push_back(std::move(one));
   }
   arrivals = std::move(others);
@@ -135,7 +135,11 @@ TimeAdvance::TimeAdvance(const RunOptions& options, const sim::scenario::Scenari
   if (options.repeat.empty()) return;
   open_loop_ = open_loop_of(options.repeat, scenario);
   record_ = results::record::read_replay_log(options.repeat);
-  replies_ = controllers::take_replies(record_->arrivals);
+  if (record_->in_real_time) {
+    replies_ = controllers::take_replies(record_->arrivals);
+  } else {
+    std::ranges::copy_if(record_->arrivals, std::back_inserter(replies_), controllers::is_reply);
+  }
   until_ = std::min(until_.value_or(record_->ended_at), record_->ended_at);
 }
 

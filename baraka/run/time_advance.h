@@ -46,7 +46,7 @@ class TimeAdvance {
   std::vector<std::string> open_loop_;
   std::optional<hal::Time> until_;
   std::optional<double> factor_;                      ///< Real time only: simulated s per s.
-  std::optional<results::record::ReplayLog> record_;  ///< The record, without replies_.
+  std::optional<results::record::ReplayLog> record_;  ///< In real time without replies_.
   std::vector<sim::OutsideArrival> replies_;          ///< See replies().
 };
 

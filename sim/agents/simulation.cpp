@@ -149,6 +149,7 @@ OutsideInput& Simulation::outside() { return state_->outside; }
 
 void Simulation::note_arrival(const std::string& name, std::vector<std::uint8_t> bytes) {
   state_->observers.on_arrival({state_->events.now(), name, std::move(bytes)});
+  state_->interfaces.note_repeated(name);
 }
 
 std::vector<hal::node::exchange::AgentOffer> Simulation::offers() const {

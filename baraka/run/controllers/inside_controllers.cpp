@@ -50,10 +50,11 @@ gateway::server::RepeatedTime time_of(sim::agents::Simulation& simulation) {
 
 }  // namespace
 
+bool is_reply(const OutsideArrival& arrival) { return arrival.door.starts_with(kRepliesOf); }
+
 std::vector<OutsideArrival> take_replies(std::vector<OutsideArrival>& arrivals) {
   const auto first = std::stable_partition(
-      arrivals.begin(), arrivals.end(),
-      [](const OutsideArrival& one) { return !one.door.starts_with(kRepliesOf); });
+      arrivals.begin(), arrivals.end(), [](const OutsideArrival& one) { return !is_reply(one); });
   std::vector<OutsideArrival> replies(std::make_move_iterator(first),
                                       std::make_move_iterator(arrivals.end()));
   arrivals.erase(first, arrivals.end());

@@ -16,6 +16,9 @@ namespace baraka::run::controllers {
 /// Moves the answers of controllers inside their agents' networks out of the recorded arrivals.
 std::vector<sim::OutsideArrival> take_replies(std::vector<sim::OutsideArrival>& arrivals);
 
+/// Whether an arrival is such an answer.
+bool is_reply(const sim::OutsideArrival& arrival);
+
 /// The controllers of a run that are inside their agents' networks. They can communicate there with
 /// other programs, so their answers are recorded; a repetition replays these and starts none of the
 /// controllers.
