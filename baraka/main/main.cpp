@@ -137,8 +137,7 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       run->add_option("--pace", options.pace,
                       "lockstep: wait for controllers, and hold programs; "
                       "realtime[:F]: follow the wall clock, F times as fast, and "
-                      "never wait; default: lockstep, but realtime with controllers "
-                      "inside agents");
+                      "never wait; default: lockstep");
   CLI::Option* repeat =
       run->add_option(
              "--repeat", options.repeat,

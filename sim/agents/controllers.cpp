@@ -125,6 +125,15 @@ std::vector<std::string> Controllers::awaited() const {
   return names;
 }
 
+std::vector<std::pair<std::string, std::uint64_t>> Controllers::missed_cycles() const {
+  std::vector<std::pair<std::string, std::uint64_t>> missed;
+  for (const Connection& one : ports_) {
+    const std::uint64_t count = one.courier ? one.courier->losses().missed_cycles : 0;
+    if (count > 0) missed.emplace_back(one.port->name(), count);
+  }
+  return missed;
+}
+
 void Controllers::log_exchange(const Connection& connection,
                                const hal::node::exchange::Reply& reply) {
   const hal::node::exchange::Step& step = connection.step;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/node/exchange/courier.h"
@@ -59,6 +60,9 @@ class Controllers {
   /// Whether one of these has not answered yet; and their names.
   bool is_one_awaited() const;
   std::vector<std::string> awaited() const;
+  /// Control cycles that were superseded while such a port did not answer, by name; only ports with
+  /// any.
+  std::vector<std::pair<std::string, std::uint64_t>> missed_cycles() const;
 
   /// Removes a port: its agents receive no more events.
   void drop(std::size_t port);

@@ -169,7 +169,8 @@ void Simulation::State::take_effect(Controllers::Answer answer) {
     apply(answer.action);
     return;
   }
-  const hal::Time at = answer.event_time + config.controller_latency;
+  // A controller that waits by simulated time may answer later than that.
+  const hal::Time at = std::max(answer.event_time + config.controller_latency, events.now());
   const hal::AgentId agent = answer.action.agent;
   const auto given = std::make_shared<Controllers::Answer>(std::move(answer));
   events.schedule(at, Rank::kAction, agent, [this, given] {
@@ -238,6 +239,11 @@ void Simulation::State::stop_controllers() {
   for (const std::string& name : controllers.awaited()) {
     hal::log::warning(events.now(), "run",
                       "at the stop: process '{}' waits for simulated time, which is over", name);
+  }
+  for (const auto& [name, count] : controllers.missed_cycles()) {
+    hal::log::warning(events.now(), "run",
+                      "process '{}' waited in its callbacks; control cycles missed: {}", name,
+                      count);
   }
   for (const Controllers::Answer& answer : round.answers) apply_last(answer.action);
 }
