@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "gateway/exchange/controller_link.h"
 #include "gateway/exchange/held_channel.h"
-#include "gateway/exchange/link.h"
 #include "gateway/process/process_watch.h"
 #include "gateway/process/waiting.h"
 #include "hal/node/exchange/session.h"
@@ -31,7 +31,7 @@ struct HeldTurns {
 ///     descriptor 3; link.started() …
 ///   hello = link.hello(limit);
 ///   link.admit(session, run, reply_timeout);       // or refuse(session)
-class HeldLink final : public Link {
+class HeldLink final : public ControllerLink {
  public:
   /// @throws std::runtime_error  no descriptor is left.
   explicit HeldLink(HeldTurns turns);

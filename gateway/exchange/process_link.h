@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "gateway/exchange/link.h"
+#include "gateway/exchange/controller_link.h"
 
 namespace gateway::exchange {
 
@@ -15,7 +15,7 @@ namespace gateway::exchange {
 ///                 │ ▲
 ///                 └─┘ no reply for kResendAfter: the same Step is written again; the process
 ///                     answers a Step it has seen from its memory
-class ProcessLink final : public Link {
+class ProcessLink final : public ControllerLink {
  public:
   ~ProcessLink() override;
 

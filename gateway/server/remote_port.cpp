@@ -21,7 +21,7 @@ using hal::node::exchange::Event;
 using hal::node::exchange::Reply;
 using hal::node::exchange::Step;
 
-RemotePort::RemotePort(std::unique_ptr<exchange::Link> link,
+RemotePort::RemotePort(std::unique_ptr<exchange::ControllerLink> link,
                        const hal::node::exchange::Hello& hello,
                        const hal::node::exchange::Session& session,
                        std::function<void(hal::Time)> before_begin)

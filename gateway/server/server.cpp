@@ -10,6 +10,7 @@
 #include "gateway/process/waiting.h"
 #include "gateway/server/admission.h"
 #include "gateway/server/remote_port.h"
+#include "gateway/server/session_log.h"
 #include "hal/types/log.h"
 
 namespace gateway::server {
@@ -22,19 +23,6 @@ using hal::node::exchange::Session;
 constexpr hal::Duration kAskEvery = std::chrono::milliseconds{100};
 /// Maximum number of refusals and processes in a summary: a daemon runs for months.
 constexpr std::size_t kMostRemembered = 1000;
-
-void log(hal::log::Level level, hal::Time at, const std::string& text) {
-  hal::log::write(level, at, "gateway", text);
-}
-
-void log_session(const Hello& hello, const Session& session) {
-  if (!hal::log::is_on(hal::log::Level::kDebug)) return;
-  std::vector<std::string> names;
-  for (const auto& agent : session.agents) names.push_back(agent.name);
-  log(hal::log::Level::kDebug, hal::Time{},
-      fmt::format("session: process '{}' (pid {} on {}, program {}) drives {}", hello.process,
-                  hello.pid, hello.host, hello.program, fmt::join(names, ", ")));
-}
 
 }  // namespace
 
@@ -70,14 +58,13 @@ class AgentServer::Implementation {
   struct Candidate {
     Hello hello;
     Session session;
-    std::unique_ptr<exchange::Link> link;
+    std::unique_ptr<exchange::ControllerLink> link;
   };
 
   void answer_hellos(hal::Duration timeout, hal::Time now);
   void answer(const Hello& hello, hal::Time now);
   void answer_held(hal::Time now);
   bool answer_held(std::unique_ptr<exchange::HeldLink>& link, hal::Time now);
-  void log_hello(const Hello& hello, hal::Time now) const;
   Session with_directory(Session session, const Hello& hello) const;
   void send(const Session& session, const Hello& hello, hal::Time now);
   void note_refusal(const Hello& hello, const std::string& reason, hal::Time now);
@@ -137,13 +124,6 @@ void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time
   for (const std::string& refusal : server_.take_refusals()) {
     log(hal::log::Level::kWarning, now, "refused " + refusal);
   }
-}
-
-void AgentServer::Implementation::log_hello(const Hello& hello, hal::Time now) const {
-  if (!hal::log::is_on(hal::log::Level::kDebug)) return;
-  log(hal::log::Level::kDebug, now,
-      fmt::format("Hello of process '{}' (pid {}) for {}", hello.process, hello.pid,
-                  fmt::join(hello.patterns, ", ")));
 }
 
 /// The controllers in lock-step, one after the other.

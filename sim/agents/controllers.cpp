@@ -1,5 +1,7 @@
 #include "sim/agents/controllers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -117,21 +119,21 @@ bool Controllers::is_one_awaited() const {
          });
 }
 
-std::vector<std::string> Controllers::awaited() const {
-  std::vector<std::string> names;
+std::vector<std::string> Controllers::complaints() const {
+  std::vector<std::string> lines;
   for (const Connection& one : ports_) {
-    if (one.courier && !one.dropped && !one.courier->is_idle()) names.push_back(one.port->name());
+    if (!one.courier || one.dropped) continue;
+    const std::string& name = one.port->name();
+    if (!one.courier->is_idle()) {
+      lines.push_back(
+          fmt::format("at the stop: process '{}' waits for simulated time, which is over", name));
+    }
+    const std::uint64_t missed = one.courier->losses().missed_cycles;
+    if (missed == 0) continue;
+    lines.push_back(fmt::format("process '{}' waited in its callbacks; control cycles missed: {}",
+                                name, missed));
   }
-  return names;
-}
-
-std::vector<std::pair<std::string, std::uint64_t>> Controllers::missed_cycles() const {
-  std::vector<std::pair<std::string, std::uint64_t>> missed;
-  for (const Connection& one : ports_) {
-    const std::uint64_t count = one.courier ? one.courier->losses().missed_cycles : 0;
-    if (count > 0) missed.emplace_back(one.port->name(), count);
-  }
-  return missed;
+  return lines;
 }
 
 void Controllers::log_exchange(const Connection& connection,

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hal/node/exchange/courier.h"
@@ -57,12 +56,10 @@ class Controllers {
 
   /// Whether there are ports that share the simulated time.
   bool share_time() const { return share_time_; }
-  /// Whether one of these has not answered yet; and their names.
+  /// Whether one of these has not answered yet.
   bool is_one_awaited() const;
-  std::vector<std::string> awaited() const;
-  /// Control cycles that were superseded while such a port did not answer, by name; only ports with
-  /// any.
-  std::vector<std::pair<std::string, std::uint64_t>> missed_cycles() const;
+  /// At the end of the run, for the log: which of these have not, and what they have missed.
+  std::vector<std::string> complaints() const;
 
   /// Removes a port: its agents receive no more events.
   void drop(std::size_t port);

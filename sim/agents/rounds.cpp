@@ -236,15 +236,8 @@ void Simulation::State::stop_controllers() {
   for (const Controllers::Failure& failure : round.failures) {
     hal::log::warning(events.now(), "run", "at the stop: {}", failure.error.message);
   }
-  for (const std::string& name : controllers.awaited()) {
-    hal::log::warning(events.now(), "run",
-                      "at the stop: process '{}' waits for simulated time, which is over", name);
-  }
-  for (const auto& [name, count] : controllers.missed_cycles()) {
-    hal::log::warning(events.now(), "run",
-                      "process '{}' waited in its callbacks; control cycles missed: {}", name,
-                      count);
-  }
+  for (const std::string& line : controllers.complaints())
+    hal::log::warning(events.now(), "run", "{}", line);
   for (const Controllers::Answer& answer : round.answers) apply_last(answer.action);
 }
 

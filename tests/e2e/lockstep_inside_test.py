@@ -4,6 +4,7 @@ for takes simulated time; they die, hang and end as elsewhere."""
 import re
 import subprocess
 import sys
+import time
 import unittest
 
 import wire
@@ -72,7 +73,8 @@ class OwnTraffic(Case):
         self.assertEqual(digests(self.drive("--repeat", record)), digests(first))
         self.assertNotEqual(self.drive("--seed", 2)["frames_digest"], first["frames_digest"])
 
-    def test_a_kill_ends_the_run_and_leaves_nothing(self):
+    def kill(self, after):
+        """@param after  s, from when there is a controller."""
         mark = Mark()
         run = self.start(TELEOP, "--no-inspect", "--set", "end.0.at=10 h", env=mark.variables)
 
@@ -80,13 +82,18 @@ class OwnTraffic(Case):
             mark.look()
             return [pid for pid in mark.processes() if name_of(pid) == "ros_base"]
         (controller,) = wait_for(controllers)
-        log = self.out / "robot.log"
-        wait_for(log.exists)
+        time.sleep(after)
+        mark.look()
         send(controller, "SIGKILL")
         finished = run.finish()
         self.assertEqual(finished.status, 1, str(finished))
         self.assertRegex(finished.err, rf"(process 'robot' \(pid {controller}\) died: .* \(agents robot\)|ros_base killed by signal 9)")
         self.assertEqual(mark.remains_after(GONE_WITHIN), [])
+
+    def test_a_kill_ends_the_run_and_leaves_nothing(self):
+        for after in (0, 0.3, 2):  # it begins, its run does, and goes on
+            with self.subTest(after):
+                self.kill(after)
 
 
 def name_of(pid):
@@ -105,10 +112,18 @@ class Same(Case):
         return self.run_baraka(file, "--no-inspect", *arguments)
 
     def test_those_without_traffic_of_their_own_give_the_fingerprint_of_those_elsewhere(self):
-        in_process = digests(self.run_of("false", "--controllers", "in-process"))
+        at_once = ["--set", "controller_latency=0 s"]
+        in_process = digests(self.run_of("false", "--controllers", "in-process", *at_once))
         self.assertGreater(self.query("SELECT COUNT(*) FROM messages WHERE fate = 'handed over'")[0][0], 100)
-        self.assertEqual(digests(self.run_of("true")), in_process)
-        self.assertEqual(digests(self.run_of("false")), in_process, "over DDS")
+        self.assertEqual(digests(self.run_of("true", *at_once)), in_process)
+        self.assertEqual(digests(self.run_of("false", *at_once)), in_process, "over DDS")
+
+    def test_with_a_latency_they_cause_the_same_frames(self):
+        messages = "SELECT * FROM messages ORDER BY sender, id"
+        frames = self.run_of("false", "--controllers", "in-process")["frames_digest"]
+        sent = self.query(messages)
+        self.assertEqual(self.run_of("true")["frames_digest"], frames)
+        self.assertEqual(self.query(messages), sent)
 
 
 @unittest.skipIf(REFUSED, REFUSED)

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <poll.h>
-#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "baraka/run/network/neighbour_tables.h"
+#include "baraka/run/network/priority.h"
 #include "baraka/run/pace/interrupts.h"
 #include "gateway/process/waiting.h"
 #include "hal/types/log.h"
@@ -37,21 +37,6 @@ double cpu_seconds() {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-/// Gives this thread a real-time priority, if the system permits: frames wait for it, and it needs
-/// little processor time. Child processes keep the normal priority.
-void go_before_others(bool before) {
-  sched_param parameters{};
-  parameters.sched_priority = before ? ::sched_get_priority_min(SCHED_RR) : 0;
-  (void)::sched_setscheduler(0, (before ? SCHED_RR : SCHED_OTHER) | SCHED_RESET_ON_FORK,
-                             &parameters);
-}
-
-/// A thread of a program that makes this one go on is about to wait. It does so first.
-void let_others_finish() {
-  const sched_param parameters{};
-  (void)::sched_setscheduler(0, SCHED_BATCH, &parameters);
 }
 
 programs::netns::Settings settings_of(const sim::scenario::Scenario& scenario,

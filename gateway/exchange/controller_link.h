@@ -16,7 +16,7 @@ struct DroppedReplies {
 };
 
 /// The server's end of the exchange with one controller process.
-class Link : public hal::node::exchange::ControllerPort {
+class ControllerLink : public hal::node::exchange::ControllerPort {
  public:
   virtual const DroppedReplies& dropped() const = 0;
   /// Wakes up poll() when the process dies; -1 if it runs on another host.
