@@ -10,11 +10,19 @@
 
 namespace gateway::exchange {
 
+/// One for all samples: its constructor takes milliseconds, for it counts how large a sample may
+/// be.
+template <class PubSub>
+guard::GuardedType<PubSub>& wire_type() {
+  static guard::GuardedType<PubSub> type;
+  return type;
+}
+
 /// A sample as DDS sends it, with its encapsulation. Empty: it cannot be encoded.
 /// @tparam PubSub  generated for the type of the sample.
 template <class PubSub>
 std::vector<std::uint8_t> wire_bytes(typename PubSub::type& sample) {
-  guard::GuardedType<PubSub> type;
+  guard::GuardedType<PubSub>& type = wire_type<PubSub>();
   guard::rtps::SerializedPayload_t payload(type.getSerializedSizeProvider(&sample)());
   // serialize() does not write the padding
   std::fill_n(payload.data, payload.max_size, guard::rtps::octet{});
@@ -27,7 +35,7 @@ template <class PubSub>
 bool read_wire_bytes(std::span<const std::uint8_t> bytes, typename PubSub::type& sample) {
   constexpr std::size_t kEncapsulation = 4;
   if (bytes.size() < kEncapsulation) return false;
-  guard::GuardedType<PubSub> type;
+  guard::GuardedType<PubSub>& type = wire_type<PubSub>();
   guard::rtps::SerializedPayload_t payload(static_cast<std::uint32_t>(bytes.size()));
   std::ranges::copy(bytes, payload.data);
   payload.length = static_cast<std::uint32_t>(bytes.size());
