@@ -50,9 +50,9 @@ def programs():
 
 
 def controller(i, inside):
-    """Two of those inside speak DDS themselves."""
+    """Two of those inside speak DDS themselves, in a domain of their own."""
     if inside and i in (2, 4):
-        return "{program: ros_base, inside: true, parameters: {best_effort: true}}"
+        return "{program: ros_base, inside: true, parameters: {domain: 1}}"
     return f"{{program: wanderer, inside: {str(inside).lower()}, parameters: {{speed: 0.5 m/s}}}}"
 
 
