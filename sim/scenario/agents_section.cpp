@@ -192,8 +192,7 @@ void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const 
   const bool has_network = io.inside_given(
       {"network",
        "An interface `wlan0` for programs with sockets: their packets go through the agents' "
-       "simulated radios. Such a run is in lock-step, too, unless `--pace` says otherwise or a "
-       "controller is inside."},
+       "simulated radios. Such a run is in lock-step, too, unless `--pace` says otherwise."},
       is_networked, [&](Fields& network) { network_keys(network, agents); });
   io.only(has_network, {"network", {"there"}}, "needs `network`, the interface that programs use",
           [&](Fields& networked) { programs_keys(networked, group); });

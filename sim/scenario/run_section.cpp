@@ -76,7 +76,8 @@ void simulation_keys(Fields& io, Scenario& scenario) {
       kDeaths, c.on_death);
   io.optional_duration({"reply_timeout",
                         "A controller that takes longer to answer, by the wall clock, counts as "
-                        "dead; none: it may take for ever, as under a debugger.",
+                        "dead; none: it may take for ever, as under a debugger. Of one inside its "
+                        "agent, in lock-step: also one that waits longer by simulated time.",
                         "10 s"},
                        1e-3, scenario.reply_timeout);
   io.duration({"wait", "How long to wait, by the wall clock, for the controllers before the start.",
