@@ -152,7 +152,7 @@ void add_diff(CLI::App& app, baraka::commands::DiffOptions& options) {
   CLI::App* diff = app.add_subcommand(
       "diff", "First difference between two runs; status 0: none, 1: there is one, 2: error");
   diff->add_option("DIR", options.folder, "Folder of the result of a run")->required();
-  diff->add_option("OTHER", options.other, "That of the other run")->required();
+  diff->add_option("OTHER", options.other, "Folder of the result of the other run")->required();
 }
 
 void add_exec(CLI::App& app, baraka::commands::ExecOptions& options) {

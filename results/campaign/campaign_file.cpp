@@ -30,7 +30,7 @@ constexpr std::array kControllers = {
 void what_keys(Fields& io, CampaignFile& c) {
   hal::files::description::needed_version_key(io);
   io.text({"name", "Name of the campaign and of its results folder: letters, digits, '_' and '-'.",
-           "speeds", "the file's without its ending"},
+           "speeds", "the file's name without its ending"},
           c.name);
   hal::files::description::check_folder_name(io, c.name);
   io.needed_text({"scenario",

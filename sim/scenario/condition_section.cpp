@@ -95,10 +95,11 @@ void limit_keys(Fields& io, std::string_view unit, Range range, Limited& limited
 /// declare.
 void state_key(Fields& io, std::string& state, const std::vector<hal::AgentId>& of,
                const Context& context) {
-  io.needed_text(
-      {"state", "Their controllers are in this state, by the name that the controller gives it.",
-       "FULFILLED"},
-      state);
+  io.needed_text({"state",
+                  "State that the controllers of these agents must be in, by the name that the "
+                  "controller gives it.",
+                  "FULFILLED"},
+                 state);
   if (const Mapping* in = io.reading(); in != nullptr && !of.empty())
     context.awaited.push_back({in->place("state"), in->path() + ".state", of, state});
 }
@@ -128,7 +129,7 @@ void keys_of(Fields& io, Area& area) {
 
 void keys_of(Fields& io, InArea& c, const Context& context) {
   keys_of(io, c.who, context);
-  io.inside({"area", "They are inside this area, a circle or a box."},
+  io.inside({"area", "Area that these agents must be in: a circle or a box."},
             [&](Fields& area) { keys_of(area, c.area); });
 }
 

@@ -77,7 +77,7 @@ void interface_keys(Fields& io, NetworkConfig& c) {
   io.spelled({"address",
               "IPv4 address of the first agent's interface and the prefix length of the network; "
               "the other agents have the addresses that follow.",
-              "10.77.0.3/16", "10.77.h.l/16 with the agent's address, 256 h + l"},
+              "10.77.0.3/16", "10.77.h.l/16, where 256 h + l is the agent's address"},
              c, text_of, [&](const std::string& text, NetworkConfig& network) {
                take_address(io, text, network);
              });

@@ -50,7 +50,7 @@ void name_key(Fields& io, std::string& pattern) {
   io.text({"name",
            "Names of the agents: letters, digits, '_' and '-' after a letter, with {} for the "
            "agent's number in the group, from 0.",
-           "'m{}'", "the group's with {} behind it"},
+           "'m{}'", "the group's name followed by {}"},
           pattern);
 }
 

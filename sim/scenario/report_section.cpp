@@ -41,7 +41,7 @@ void report_keys(Fields& io, std::vector<PlotRequest>& requests) {
   io.list_if_any<PlotRequest>(
       {"report", "What the report shows of the runs; has no effect on them.",
        "[{plot: messages.delivery_ratio, as: table}]",
-       "the quantities of the run in which the settings that are varied differ"},
+       "the quantities of the run that differ between the varied settings"},
       requests, [](Fields& one, PlotRequest& request) { request_keys(one, request); });
 }
 

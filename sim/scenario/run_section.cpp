@@ -34,7 +34,7 @@ constexpr hal::Duration kDefaultLatency = 10ms;
 void head_keys(Fields& io, Scenario& scenario) {
   hal::files::description::needed_version_key(io);
   io.text({"name", "Name of the scenario and of its results folder: letters, digits, '_' and '-'.",
-           "two_motes", "the file's without its ending"},
+           "two_motes", "the file's name without its ending"},
           scenario.name);
   hal::files::description::check_folder_name(io, scenario.name);
 }
@@ -101,12 +101,12 @@ void detail_keys(Fields& io, RecordOptions& c) {
              "How radio frames are recorded. none: not at all; counts: counted; sample: also one "
              "row each, with rows of their receptions, for the first ones of each simulated "
              "second, up to 5000 rows; all: rows for every frame.",
-             "all", "sample; counts above 100 agents"},
+             "all", "sample; counts with more than 100 agents"},
             kFrameDetails, c.frames);
   io.choice({"messages",
              "How messages and their deliveries are recorded. none: not at all; counts: counted; "
              "all: a row for each, which quartiles of their delays need.",
-             "counts", "all; counts above 100 agents"},
+             "counts", "all; counts with more than 100 agents"},
             kDetails, c.messages);
   io.choice({"samples",
              "How DDS samples that programs on agents with a `network` exchange are recorded. "
@@ -117,17 +117,17 @@ void detail_keys(Fields& io, RecordOptions& c) {
   io.choice({"routes",
              "Whether changes of routing tables and of queue lengths are recorded, as `baraka "
              "view` needs to show them.",
-             "none", "all; none above 100 agents"},
+             "none", "all; none with more than 100 agents"},
             kRouteDetails, c.routes);
   io.choice(
       {"readings",
        "Which sensor readings are recorded, when they change and at most once per pose_period. "
        "ranges: those of range sensors and bumpers with up to 32 values; all: all channels.",
-       "all", "ranges; none above 100 agents"},
+       "all", "ranges; none with more than 100 agents"},
       kReadingDetails, c.readings);
   io.duration(
       {"pose_period", "Time between two recorded poses of an agent; at most one per control cycle.",
-       "1 s", "100 ms; 1 s above 100 agents"},
+       "1 s", "100 ms; 1 s with more than 100 agents"},
       {1e-3, 3600}, c.pose_period);
 }
 

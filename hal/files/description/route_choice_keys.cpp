@@ -83,8 +83,8 @@ void check_metric(Mapping& in, PathMetric& metric, const PathMetric& otherwise,
   }
   if (metric.min_snr > 0 && !link.rssi && in.has(kMetric.name)) {
     in.mistake(kMetric.name,
-               "'min_snr' needs a link that tells how strong frames arrive, which this one, a UDP "
-               "socket or a radio without waves, does not");
+               "'min_snr' needs a link that reports the received power of frames; a UDP socket and "
+               "radios without waves do not");
     metric.min_snr = 0;
     metric.hops = 1;
   }

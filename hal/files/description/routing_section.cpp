@@ -49,7 +49,7 @@ void over_udp(Fields& io, const LinkCapabilities& link, const std::function<void
   const Fields::When when = link.tx_status ? Fields::When{".link", {"udp_like"}}
                                            : Fields::When{};  // files without `link`
   io.only(!link.tx_status, when,
-          "is not used with 'link: mac', which reports what becomes of each frame", body);
+          "is not used with 'link: mac', which reports the outcome of each frame", body);
 }
 
 void hop_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {

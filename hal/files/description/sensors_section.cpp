@@ -20,7 +20,7 @@ std::string meaning_of_kind() {
     all += all.empty() ? "" : ", ";
     all += one.name;
   }
-  return "Of the sensor: " + all + ".";
+  return "Kind of sensor: " + all + ".";
 }
 
 /// @param all  the sensors so far, including this one.

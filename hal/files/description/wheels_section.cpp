@@ -9,7 +9,7 @@ using node::devices::Wheel;
 using node::devices::WheelType;
 
 constexpr std::string_view kInWheelOrJoint =
-    "that of `wheel`; there, it may be absent if all driven `joints` have it";
+    "that of `wheel`, where it may be absent if all driven `joints` give it";
 
 constexpr Range kWheelSize{1e-3, 10};   // m
 constexpr Range kWheelMass{1e-3, 100};  // kg
@@ -33,13 +33,13 @@ void grip_key(Fields& io, Wheel& c) {
   io.number({"mu",
              "Coefficient of friction in the direction in which the wheel grips: its rolling "
              "direction; for a mecanum wheel, the axis of its rollers; for a caster, its axis.",
-             "0.6", "0.6; of a caster 0.02"},
+             "0.6", "0.6; 0.02 for a caster"},
             "1", c.is_driven() ? kGrip : kGlide, c.mu);
 }
 
 void glide_key(Fields& io, Wheel& c) {
   io.number({"mu2", "Coefficient of friction at right angles to that, where rollers give way.",
-             "0.02", "0.02; of a fixed wheel and of a caster that of `mu`"},
+             "0.02", "0.02; that of `mu` for fixed wheels and casters"},
             "1", kGlide, c.mu2);
 }
 
@@ -136,7 +136,7 @@ void joint_keys(Fields& io, Wheel& c, Mapping* all) {
              "omni: rollers let the wheel slip along its axle; mecanum: rollers at `roller_angle`; "
              "fixed: an ordinary wheel; caster: a ball without a motor, which supports the robot "
              "and rolls in every direction.",
-             "fixed", "that of `wheel`, which is omni if it has none"},
+             "fixed", "that of `wheel`, which is omni by default"},
             kTypes, c.type, keys);
   if (all != nullptr) check_complete(*io.reading(), all->within("wheel"), c.is_driven());
 }
