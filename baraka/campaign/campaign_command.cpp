@@ -109,7 +109,7 @@ class WaitForReaders {
   bool operator()(double waited_s) {
     if (waited_s == 0) said_ = false;
     if (waited_s >= kPatience && !std::exchange(said_, true)) {
-      fmt::print(stderr, "{}waiting: another program reads {}; runs go on meanwhile\n",
+      fmt::print(stderr, "{}waiting: another program is reading {}; the runs go on\n",
                  ::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "",
                  (folder_ / results::campaign::kCampaignDatabase).string());
     }

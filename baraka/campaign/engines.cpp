@@ -22,7 +22,7 @@ EngineMaker engine_for(const CampaignOptions& options,
   }
   if (options.engine != "local") {
     throw gateway::process::UsageError(
-        fmt::format("--engine: '{}' is no engine; there are: local, slurm", options.engine));
+        fmt::format("--engine: '{}' is not an engine; there are: local, slurm", options.engine));
   }
   const int jobs = options.jobs.value_or(file.jobs.value_or(usable_processors()));
   return [jobs](results::campaign::CampaignDatabase& database) {

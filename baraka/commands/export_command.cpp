@@ -43,7 +43,7 @@ void require_table(const std::string& name, const std::vector<results::record::T
   names.reserve(tables.size());
   for (const results::record::Table& table : tables) names.emplace_back(table.name);
   throw gateway::process::UsageError(fmt::format(
-      "export: '{}' is no table of a {}{}; there are: {}", name, whole,
+      "export: '{}' is not a table of a {}{}; there are: {}", name, whole,
       hal::files::config::suggestion(name, names), results::record::table_names(tables)));
 }
 

@@ -159,8 +159,8 @@ const std::vector<FileKind>& file_kinds() {
        gateway::server::use_of("hardware"), kHardware, check_hardware,
        describe<hal::robot::agent::RobotFile>},
       {"robot",
-       "Body, wheels and sensors of a kind of robot, simulated or real; included by the "
-       "other two.",
+       "Body, wheels and sensors of a kind of robot, simulated or real; included by scenarios and "
+       "hardware files.",
        gateway::server::use_of("robot"), kRobot, check_file<read_robot>,
        describe<RobotDescription>},
       {"mote", "Body of a kind of mote; included by scenarios.", gateway::server::use_of("mote"),

@@ -17,15 +17,16 @@ using hal::files::config::KeyDescription;
 
 constexpr const char* kIntroduction = R"(# Every key of BARAKA's files
 
-<!-- Written by `baraka describe --markdown`; the words stand where the keys are read. -->
+<!-- Written by `baraka describe --markdown`; the texts are where the keys are read. -->
 
-Files are YAML. A value has its unit beside it (`250 ms`, `-45 deg`, `11 Mb/s`) unless it is a plain
-number. `include: other.yaml` in any mapping puts that file's keys under the mapping's own; the path is
-relative to the file it stands in, and what is not there is looked for in the folders of
-`BARAKA_CONFIG_PATH` and in `share/baraka` of the installation. `--set a.b=value` replaces a value
-from the command line. `NAME` is a name of your own; `[]` marks the items of a list.
+Files are YAML. A value has its unit behind it (`250 ms`, `-45 deg`, `11 Mb/s`) unless it is a plain
+number. `include: other.yaml` in a mapping inserts the keys of that file, which the mapping's own keys
+override. The path is relative to the including file; a file that does not exist there is searched for
+in the folders of `BARAKA_CONFIG_PATH` and in `share/baraka` of the installation. `--set a.b=value` on
+the command line overrides a value. In the headings, `NAME` is a name that you choose, and `[]` stands
+for each item of a list.
 
-`baraka describe KEY` shows one key, `baraka describe CONTROLLER` a controller's parameters,
+`baraka describe KEY` shows one key, `baraka describe CONTROLLER` the parameters of a controller.
 `baraka check FILE` finds every mistake in a file of any kind.
 )";
 

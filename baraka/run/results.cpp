@@ -191,7 +191,7 @@ void Results::say_not_started(const std::string& error) {
     outcome.error = error;
     recorder_->give_up(outcome);
     recorder_.reset();
-    fmt::print(stderr, "not started; what there is of it: {}\n", folder_.path().string());
+    fmt::print(stderr, "not started; its files are in {}\n", folder_.path().string());
   } catch (const std::exception& e) {
     hal::print_line(hal::Tone::kWarning, "warning: " + hal::printable(e.what()));
   }

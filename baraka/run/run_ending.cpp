@@ -43,7 +43,8 @@ void print_real_time(const sim::agents::RealTimeSummary& summary) {
   fmt::print("control_jitter_p99_s: {:.6f}\n", hal::to_seconds(summary.jitter_p99));
   fmt::print("control_jitter_max_s: {:.6f}\n", hal::to_seconds(summary.jitter_max));
   for (const std::string& line : summary.overflow) {
-    hal::print_line(hal::Tone::kWarning, "warning: overflow, lost for the controller of " + line);
+    hal::print_line(hal::Tone::kWarning,
+                    "warning: overflow, events lost for the controller of " + line);
   }
 }
 
@@ -61,9 +62,8 @@ void print_complaints(const Outcome& outcome, const std::vector<std::string>& li
     hal::print_line(hal::Tone::kWarning, "warning: " + line);
   }
   if (outcome.ode_messages > 0) {
-    hal::print_line(
-        hal::Tone::kWarning,
-        fmt::format("warning: the physics engine complained {} times", outcome.ode_messages));
+    hal::print_line(hal::Tone::kWarning, fmt::format("warning: the physics engine gave {} warnings",
+                                                     outcome.ode_messages));
   }
   if (!outcome.error.empty()) {
     hal::print_line(hal::Tone::kMistake, "error: " + hal::printable_lines(outcome.error));

@@ -31,8 +31,8 @@ std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& sc
   if (!factor) return pace;
   if (std::isfinite(options.max_speed)) {
     throw gateway::process::UsageError(
-        "--max-speed: agents with a network follow the clock; --pace realtime:F makes a run and "
-        "its programs slower");
+        "--max-speed: runs with networks keep real time; --pace realtime:F slows the run and its "
+        "programs down");
   }
   if (*factor >= kLeastFactorOfPrograms && *factor <= 1) return pace;
   throw gateway::process::UsageError(fmt::format(

@@ -50,8 +50,8 @@ hal::Result<hal::node::exchange::Reply> ProcessLink::Implementation::finish() {
     if (deadline.has_passed()) {
       return hal::fail(
           hal::Errc::kTimeout,
-          fmt::format("process '{}' (pid {}) did not answer within {} s: --set "
-                      "reply_timeout=none waits for ever, as debugging needs",
+          fmt::format("process '{}' (pid {}) did not answer within {} s: --set reply_timeout=none "
+                      "waits for ever, e.g. for a debugger",
                       name(), settings_.hello.pid, hal::to_seconds(*settings_.reply_timeout)));
     }
     wait(deadline);

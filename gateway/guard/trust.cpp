@@ -35,7 +35,7 @@ uid_t user_called(const std::string& word) {
   if (getpwnam_r(word.c_str(), &entry, texts.data(), texts.size(), &found) == 0 && found) {
     return found->pw_uid;
   }
-  throw NoSuchUser(fmt::format("{}: '{}' is no user of this computer, nor '{}'", kTrustVariable,
+  throw NoSuchUser(fmt::format("{}: '{}' is not a user of this computer, nor '{}'", kTrustVariable,
                                word, kUnverified));
 }
 

@@ -104,7 +104,7 @@ hal::Result<const hal::ControllerKind*> load_plugin(std::string_view name,
                                                     const std::vector<fs::path>& folders) {
   if (name.empty() || name.find('/') != std::string_view::npos) {
     return hal::fail(hal::Errc::kInvalidArgument,
-                     fmt::format("'{}' is no name of a controller", name));
+                     fmt::format("'{}' is not the name of a controller", name));
   }
   const std::string file_name = fmt::format("{}.so", name);
   for (const fs::path& folder : folders) {
@@ -113,7 +113,7 @@ hal::Result<const hal::ControllerKind*> load_plugin(std::string_view name,
     if (fs::is_regular_file(file, ignored)) return load(file);
   }
   return hal::fail(hal::Errc::kNotAvailable,
-                   fmt::format("'{}' is no known controller: looked for {} in {}; "
+                   fmt::format("'{}' is not a known controller: looked for {} in {}; "
                                "BARAKA_CONTROLLER_PATH adds folders{}{}",
                                name, file_name, list_of(folders), broken_link(file_name, folders),
                                similar_plugin(name, folders)));

@@ -109,7 +109,7 @@ std::filesystem::path program_file(const std::string& name, const std::string& f
   };
   if (name.find('/') != std::string::npos) {
     if (may_run(name)) return std::filesystem::absolute(name);
-    throw std::runtime_error(fmt::format("{} is no program that can be started", name));
+    throw std::runtime_error(fmt::format("{} is not a program that can be started", name));
   }
   for (std::size_t begin = 0; begin <= folders.size();) {
     const std::size_t end = std::min(folders.find(':', begin), folders.size());

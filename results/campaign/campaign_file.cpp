@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "hal/files/config/document.h"
 #include "hal/files/description/field_io.h"
+#include "hal/files/description/names.h"
 #include "results/campaign/design_section.h"
 
 namespace results::campaign {
@@ -27,24 +27,15 @@ constexpr std::array kControllers = {
     Option<RunControllers>{"in-process", RunControllers::kInProcess},
     Option<RunControllers>{"spawn", RunControllers::kSpawn}};
 
-bool is_name(const std::string& name) {
-  return std::ranges::all_of(name, [](char c) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    return letter || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-}
-
 void what_keys(Fields& io, CampaignFile& c) {
   hal::files::description::needed_version_key(io);
-  io.text(
-      {"name", "Of the campaign and of the folder of its results: letters, digits, '_' and '-'.",
-       "speeds", "the file's without its ending"},
-      c.name);
-  if (!is_name(c.name))
-    io.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-'", c.name));
+  io.text({"name", "Name of the campaign and of its results folder: letters, digits, '_' and '-'.",
+           "speeds", "the file's name without its ending"},
+          c.name);
+  hal::files::description::check_folder_name(io, c.name);
   io.needed_text({"scenario",
-                  "The scenario that is run: a file beside this one, or one of those that come "
-                  "with BARAKA.",
+                  "Scenario to run: a file whose path is relative to this one, or a scenario that "
+                  "comes with BARAKA.",
                   "scenarios/case_study.yaml"},
                  c.scenario);
   if (io.reading() != nullptr) c.scenario_place = io.reading()->place("scenario");
@@ -52,37 +43,40 @@ void what_keys(Fields& io, CampaignFile& c) {
 
 void seed_keys(Fields& io, CampaignFile& c) {
   io.count({"replications",
-            "How often each point is run, each time with another seed. More of them extend a "
+            "Number of runs at each point, each with another seed. Increasing it extends a "
             "campaign that has begun.",
             "10"},
            1, kMostReplications, c.replications);
-  io.choice({"seeds",
-             "common: replication k has the seed `seed` + k - 1 at every point (common random "
-             "numbers: points differ by what was varied alone); independent: each run has one of "
-             "its own, derived from `seed`, its point's values and k.",
-             "independent"},
-            kSeeds, c.seeds);
-  io.given_count({"seed", "Of replication 1, and of what is sampled.", "1", "the scenario's"}, 0,
+  io.choice(
+      {"seeds",
+       "Seeds of the replications. common: replication k has the seed `seed` + k - 1 at every "
+       "point (common random numbers), so points differ only in what is varied; independent: each "
+       "run has its own, derived from `seed`, the values of its point, and k.",
+       "independent"},
+      kSeeds, c.seeds);
+  io.given_count({"seed", "Seed of replication 1 and of `sample`.", "1", "the scenario's"}, 0,
                  std::numeric_limits<std::int64_t>::max() - kMostReplications, c.seed);
 }
 
 void run_keys(Fields& io, CampaignFile& c) {
   io.optional_duration(
-      {"until", "Each run ends at this simulated time, as with `--until`; none: at its own end.",
+      {"until",
+       "Simulated time at which each run ends, as with `--until`; none: as the scenario says.",
        "60 s"},
       0, c.until);
   io.choice({"keep",
-             "Folders of results that stay: of no run (all that is measured is in "
-             "campaign.sqlite), of those that failed, or of all.",
+             "Runs whose results folders are kept. none: of no run, since all that is measured is "
+             "in campaign.sqlite; failed: of runs that failed; all.",
              "failed"},
             kKeep, c.keep);
   io.choice({"controllers",
-             "Where controllers run: inside the run's process, which is the fastest, or in "
-             "processes of their own, over DDS. Results are equal.",
+             "Where controllers run. in-process: in the process of the run, which is fastest; "
+             "spawn: in processes of their own, over DDS. The results are equal.",
              "spawn"},
             kControllers, c.controllers);
-  io.given_count({"jobs", "Runs at a time on this computer.", "4", "one for each processor"}, 1,
-                 1000, c.jobs);
+  io.given_count(
+      {"jobs", "Number of simultaneous runs on this computer.", "4", "one for each processor"}, 1,
+      1000, c.jobs);
 }
 
 void check_size(Fields& io, const CampaignFile& c) {

@@ -30,7 +30,7 @@ constexpr std::array kScales = {Option<bool>{"linear", false}, Option<bool>{"log
 bool check_key(Mapping& in, const std::string& key) {
   const bool is_path = !key.empty() && key.front() != '.' && key.back() != '.' &&
                        key.find("..") == std::string::npos && key.find('=') == std::string::npos;
-  if (!is_path) in.mistake(key, fmt::format("'{}' is no dotted path of a key", key));
+  if (!is_path) in.mistake(key, fmt::format("'{}' is not the dotted path of a key", key));
   if (key == "seed") {
     in.mistake(key,
                "is not varied: each replication has a seed of its own; see `replications`, "
@@ -162,21 +162,22 @@ void check_limits(Fields& io, const WrittenNumber& from, const WrittenNumber& to
 }
 
 void keys_of(Fields& io, SampledRange& range) {
-  const auto from = limit_key(io, {"from", "Least value, with its unit.", "0.1 m/s"});
-  const auto to = limit_key(io, {"to", "Greatest value, with a unit of the same kind.", "0.9 m/s"});
+  const auto from = limit_key(io, {"from", "Lower bound, with its unit.", "0.1 m/s"});
+  const auto to =
+      limit_key(io, {"to", "Upper bound, with a unit of the same dimension.", "0.9 m/s"});
   io.choice({"scale",
-             "Whether equal steps are equally likely, or equal ratios: log is for ranges over "
-             "powers of ten.",
+             "Distribution of the values. linear: uniform; log: uniform in the logarithm, for "
+             "ranges over several powers of ten.",
              "log"},
             kScales, range.logarithmic);
-  io.flag({"whole", "Whether only whole numbers are taken.", "true"}, range.whole);
+  io.flag({"whole", "Whether only integers are taken.", "true"}, range.whole);
   if (range.whole && range.logarithmic) io.mistake("whole", "is not for `scale: log`");
   if (from && to) check_limits(io, *from, *to, range);
 }
 
 const Key kRange{"NAME",
-                 "Range of one key of the scenario (here NAME, a dotted path), or a list of "
-                 "values, each taken equally often."};
+                 "Range of one key of the scenario (here NAME, a dotted path), or a list of values "
+                 "that are taken equally often."};
 
 /// Reads the ranges and the lists of choices.
 void read_ranges(Mapping& ranges, CampaignFile& campaign) {
@@ -204,11 +205,11 @@ void sample_keys(Fields& io, CampaignFile& campaign) {
   if (io.reading() != nullptr) campaign.design = Design::kLatinHypercube;
   io.needed_count(
       {"latin_hypercube",
-       "How many points: each range is cut into as many equally likely parts, and each part of "
-       "each range is taken once (McKay, Beckman, Conover, 1979).",
+       "Number of points of the Latin hypercube: each range is divided into this many equally "
+       "likely parts, and each part is used exactly once (McKay, Beckman, Conover, 1979).",
        "50"},
       2, 100'000, campaign.samples);
-  io.inside({"ranges", "What is sampled: ranges or lists, each under a key of the scenario.",
+  io.inside({"ranges", "Ranges to sample, each under a key of the scenario (a dotted path).",
              "{agents.robots.controller.parameters.speed: {from: 0.1 m/s, to: 0.9 m/s}}"},
             [&](Fields& ranges) {
               if (ranges.reading() != nullptr) return read_ranges(*ranges.reading(), campaign);
@@ -239,14 +240,13 @@ bool read_if_there(Fields& io, const Key& key, Form::Kind form,
 void design_keys(Fields& io, CampaignFile& campaign) {
   campaign.points = {DesignPoint{}};
   const Key vary{"vary",
-                 "Keys of the scenario, as dotted paths, each with a list of values: every "
-                 "combination is a point.",
+                 "Keys of the scenario, as dotted paths, each with a list of values; every "
+                 "combination of values is a point.",
                  "{radio.tx_power: [2 mW, 10 mW, 50 mW]}"};
   const bool is_grid = read_if_there(io, vary, Form::Kind::kMapping,
                                      [&](Mapping& in) { read_grid(in.mapping(vary), campaign); });
   const Key points{"points",
-                   "Points one by one, each with the keys of the scenario, as dotted paths, that "
-                   "it sets.",
+                   "List of points; each sets keys of the scenario, given as dotted paths.",
                    "[{radio.tx_power: 2 mW}, {radio.tx_power: 50 mW, radio.profile: disk}]"};
   const bool is_list = read_if_there(io, points, Form::Kind::kMappings, [&](Mapping& in) {
     campaign.points.clear();

@@ -33,7 +33,7 @@ constexpr std::array<Reserved, 11> kReserved{
 }  // namespace
 
 std::string refusal(const std::string& argument) {
-  if (!argument.starts_with("-")) return "is no option; write '--option=value' as one argument";
+  if (!argument.starts_with("-")) return "is not an option; write '--option=value' as one argument";
   const std::string option = argument.substr(0, argument.find('='));
   const auto* const found = std::ranges::find_if(kReserved, [&](const Reserved& reserved) {
     return option == reserved.option || (!reserved.letter.empty() && !option.starts_with("--") &&
@@ -45,21 +45,22 @@ std::string refusal(const std::string& argument) {
 namespace {
 
 void slurm_keys(Fields& io, SlurmSettings& c) {
-  io.given_text({"partition", "Partition of the cluster.", "short", "the cluster's default"},
-                c.partition);
+  io.given_text(
+      {"partition", "Partition of the cluster to submit to.", "short", "the cluster's default"},
+      c.partition);
   io.optional_duration(
       {"time",
-       "Longest wall time of a run, after which Slurm ends it; none: as the partition has it.",
+       "Time limit of a run in real time, after which Slurm ends it; none: that of the partition.",
        "2 h"},
       1, c.time);
-  io.duration({"poll", "Wall time between two looks at the queue (`squeue`).", "5 s"}, {0.1, 3600},
-              c.poll);
-  io.duration(
-      {"settle",
-       "How long after the end of a run its result may take to be seen on the shared file system.",
-       "60 s"},
-      {0, 3600}, c.settle);
-  io.texts({"arguments", "Further arguments of `sbatch`.", "[--account=swarm, --mem=500M]"},
+  io.duration({"poll", "Real time between two queries of the queue (`squeue`).", "5 s"},
+              {0.1, 3600}, c.poll);
+  io.duration({"settle",
+               "Real time after the end of a run within which its result must become visible on "
+               "the shared file system.",
+               "60 s"},
+              {0, 3600}, c.settle);
+  io.texts({"arguments", "Further arguments for `sbatch`.", "[--account=swarm, --mem=500M]"},
            c.arguments);
   for (std::size_t i = 0; i < c.arguments.size(); ++i) {
     if (const std::string why = refusal(c.arguments[i]); !why.empty())

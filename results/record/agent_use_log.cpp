@@ -37,12 +37,11 @@ std::vector<Table> AgentUseLog::tables() {
         {"off_ns", "INTEGER NOT NULL", "ns", "time in which its radio was off"},
         {"retries", "INTEGER", "", "retransmissions; null with record: {frames: none}"},
         {"energy_j", "REAL", "J",
-         "drawn from its battery by computer, radio and motors, with the heat in the battery: "
-         "never "
-         "more than it held; null: it has no battery"},
+         "energy drawn from its battery by computer, radio and motors, including losses in the "
+         "battery; never more than it contained; null: it has no battery"},
         {"load_j", "REAL", "J",
-         "asked for by computer, radio and motors, also of a battery that was empty; null: it has "
-         "no battery"}}},
+         "energy that computer, radio and motors demanded, even while the battery was empty; null: "
+         "it has no battery"}}},
   };
 }
 

@@ -37,11 +37,10 @@ hal::Duration tail_of(const sim::radio::RadioConfig& config) {
 
 /// Meaning of the verdict in both views of what became of all frames sent.
 constexpr std::string_view kDerived =
-    "how it ended: as in receptions; 'below sensitivity' also if the radio did not notice it, be "
-    "it "
-    "on another channel, or only as interference (faint): all that was sent and is not recorded "
-    "otherwise; 'under way': "
-    "it was in the air at the end or, with propagation delay, had ended less than 1 ms before";
+    "outcome as in receptions; 'below sensitivity' also if the radio did not sense it, e.g. on "
+    "another channel, or only as interference (faint), so that every frame sent has an outcome; "
+    "'under way': it was still being transmitted at the end or, with propagation delay, had ended "
+    "less than 1 ms before";
 
 }  // namespace
 
@@ -164,8 +163,8 @@ std::vector<Table> FrameCounts::end_tables() {
        {{"agent", "INTEGER NOT NULL", "", "sender"},
         {"peer", "INTEGER NOT NULL", "", "destination"},
         {"verdict", "TEXT NOT NULL", "",
-         "outcome; a broadcast that left the antenna is 'transmitted': the link cannot know "
-         "who got it, receptions tells"},
+         "outcome; 'transmitted': a broadcast that was sent; who received it is in the table "
+         "receptions"},
         {"count", "INTEGER NOT NULL", "", "requests"}},
        "agent, peer, verdict"},
   };
@@ -174,8 +173,8 @@ std::vector<Table> FrameCounts::end_tables() {
 std::vector<Table> FrameCounts::link_views() {
   return {
       {"link_verdicts",
-       "what became of each frame at each radio, for pairs of which one noticed a frame of the "
-       "other, now or then: in sum, what the transmitter sent",
+       "outcome of every frame at every radio, for pairs of agents of which one sensed a frame of "
+       "the other at any time; the counts add up to what the transmitter sent",
        {{"agent", "INTEGER", "", "receiver"},
         {"peer", "INTEGER", "", "transmitter"},
         {"class", "TEXT", "", "as in frames_sent"},
@@ -205,7 +204,7 @@ std::vector<Table> FrameCounts::link_views() {
 std::vector<Table> FrameCounts::sum_views() {
   return {
       {"verdict_sums",
-       "what became of all frames at all other radios: in sum, frames sent times radios",
+       "outcome of all frames at all other radios; the counts add up to frames sent times radios",
        {{"class", "TEXT", "", "as in frames_sent"},
         {"addressed", "INTEGER", "", "1: to this radio or to everyone"},
         {"verdict", "TEXT", "", kDerived},

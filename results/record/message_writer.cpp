@@ -48,7 +48,7 @@ std::vector<Table> MessageWriter::delivery_views() {
   return {
       {"message_deliveries",
        "messages handed to controllers, listed or counted",
-       {{"sender", "INTEGER", "", "of the messages"},
+       {{"sender", "INTEGER", "", "agent that sent the messages"},
         {"destination", "INTEGER", "", "agent, or everyone"},
         {"topic", "TEXT", "", "class of the messages"},
         {"receiver", "INTEGER", "", "agent"},
@@ -72,7 +72,8 @@ std::vector<Table> MessageWriter::delivery_views() {
        {{"sender", "INTEGER", "", "agent"},
         {"topic", "TEXT", "", "class of the message"},
         {"messages", "INTEGER", "", "sent"},
-        {"addressees", "INTEGER", "", "of all of them together: all other agents, each time"},
+        {"addressees", "INTEGER", "",
+         "number of addressees of these messages in total: for each message all other agents"},
         {"reached", "INTEGER", "", "number of these addressees that received theirs"}},
        "sender, topic",
        "SELECT e.sender, e.topic, SUM(e.count) AS messages,"

@@ -87,27 +87,28 @@ void RelayCounts::write(hal::Time now) {
 std::vector<Table> RelayCounts::tables() {
   return {
       {"relays",
-       "data frames of stations that came to an access point to be passed on, from the air or over "
-       "the wire, those that it passed on and those that it could not, retries not counted; and "
-       "frames that came to whom they are for and could not be used there",
+       "data frames that stations sent to an access point for forwarding, received over the air or "
+       "over the wire: those forwarded and those that could not be; retransmissions do not count. "
+       "Also frames that reached their destination but could not be used there",
        {{"agent", "INTEGER NOT NULL", "",
-         "access point; of 'no route' also the destination itself: it acknowledged the frame and "
-         "was with no access point"},
-        {"source", "INTEGER NOT NULL", "", "agent that sent it first"},
+         "access point; with 'no route' also the destination itself, which acknowledged the frame "
+         "but was not associated"},
+        {"source", "INTEGER NOT NULL", "", "agent that originated it"},
         {"destination", "INTEGER NOT NULL", "", "agent that it is for, or everyone"},
         {"verdict", "TEXT NOT NULL", "",
-         "'delivered': acknowledged by the destination; 'transmitted': to everyone of its BSS; "
-         "'over the wire': to another access point, where it is counted again; 'queue full'; "
-         "'retry limit'; 'no route': the source, or the destination, is associated nowhere; "
-         "'expired'; 'radio off'; 'waiting': in the queue when this was written"},
+         "'delivered': acknowledged by the destination; 'transmitted': broadcast in its BSS; 'over "
+         "the wire': passed to another access point, where it is counted again; 'queue full'; "
+         "'retry limit'; 'no route': the source or the destination is not associated; 'expired'; "
+         "'radio off'; 'waiting': in the queue when this was written"},
         {"count", "INTEGER NOT NULL", "", "frames"}},
        "agent, source, destination, verdict"},
       {"relay_queues",
-       "the queues of access points by destination, of what they pass on",
+       "queues of the access points for frames to forward, by destination",
        {{"agent", "INTEGER NOT NULL", "", "access point"},
         {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
         {"frames", "INTEGER NOT NULL", "", "frames accepted by the queue"},
-        {"waiting", "INTEGER NOT NULL", "", "of these, still queued when this was written"},
+        {"waiting", "INTEGER NOT NULL", "",
+         "frames among these that were still queued when this was written"},
         {"most", "INTEGER NOT NULL", "", "largest number that waited at the same time"},
         {"waited_ns", "INTEGER NOT NULL", "ns",
          "sum of their times in the queue: divided by `frames` the mean time in the queue, divided "

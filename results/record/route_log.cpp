@@ -39,10 +39,11 @@ std::vector<Table> RouteLog::tables() {
         {"topic", "TEXT NOT NULL", "", "class of the messages"},
         {"destination", "INTEGER NOT NULL", "", "agent"},
         {"next_hop", "INTEGER NOT NULL", "", "agent"},
-        {"hops", "INTEGER", "", "of the path; null, as all that follows: the entry is gone"},
-        {"delay_ns", "INTEGER", "ns", "expected, of the path"},
-        {"min_snr_db", "REAL", "dB", "of its weakest link"},
-        {"energy_j", "REAL", "J", "to send one packet along it"},
+        {"hops", "INTEGER", "",
+         "hops of the path; null, as are the columns that follow: the entry was removed"},
+        {"delay_ns", "INTEGER", "ns", "expected delay of the path"},
+        {"min_snr_db", "REAL", "dB", "SNR of the weakest link of the path"},
+        {"energy_j", "REAL", "J", "energy to send one packet along the path"},
         {"weight", "REAL", "",
          "r(n)^beta of equation 1 of the paper: a message takes this next hop with this share of "
          "the "

@@ -20,16 +20,16 @@ std::vector<Table> run_tables() {
         {"name", "TEXT NOT NULL", "", "for display"},
         {"kind", "TEXT NOT NULL", "", "'mote', 'robot' or 'station'"},
         {"program", "TEXT NOT NULL", "", "controller"},
-        {"x_m", "REAL NOT NULL", "m", "place at the start"},
-        {"y_m", "REAL NOT NULL", "m", "place at the start"},
+        {"x_m", "REAL NOT NULL", "m", "x at the start"},
+        {"y_m", "REAL NOT NULL", "m", "y at the start"},
         {"theta_rad", "REAL NOT NULL", "rad", "heading at the start"}}},
       {"ends",
        "end conditions of the scenario",
        {{"agent", "INTEGER", "",
          "agent whose state ends the run; null: a condition or the time ends it"},
         {"state", "TEXT", "",
-         "that this agent's controller enters; without an agent: the condition that ends the run; "
-         "null: the time does"},
+         "state of this agent's controller that ends the run; without an agent: the condition that "
+         "ends it; null: it ends at a time"},
         {"after_ns", "INTEGER NOT NULL", "ns",
          "delay of the end after that; without a state or condition: the time of the end"},
         {"result", "TEXT NOT NULL", "", "result of the run in that case"}}},
@@ -54,9 +54,10 @@ std::vector<Table> countable_tables() {
        "what this run could count: if no other table has a count of a word listed here, the count "
        "is 0; a word not listed here was not counted in this run",
        {{"family", "TEXT NOT NULL", "",
-         "of what, as the numbers of `baraka describe observables` begin: 'frames', 'receptions', "
-         "'requests', 'messages.ends', 'routing.events', 'states', 'controllers'; without any row "
-         "of frames or messages these were not counted"},
+         "what is counted, as in the first part of the names that `baraka describe observables` "
+         "lists: 'frames', 'receptions', 'requests', 'messages.ends', 'routing.events', 'states', "
+         "'controllers'; if there is no row for frames or messages, they were not counted in this "
+         "run"},
         {"program", "TEXT NOT NULL", "",
          "states, controllers: the controller that declares it, of the agents with that program; "
          "else ''"},

@@ -31,12 +31,10 @@ std::string to_sql(const Table& table) {
 std::string_view conventions() {
   return "Times are simulated and count from the start of the run. Lengths and angles are in the "
          "world frame: x and y in the plane, headings from the x axis towards the y axis. Agents "
-         "are addresses; 65535 is everyone, 65534 whoever hears it. Verdicts are: delivered, below "
-         "sensitivity, preamble "
-         "missed, collision, interference, noise, obstacle, retry limit, queue full, receiver "
-         "transmitting, radio off, no route, expired, agent down, random loss. Fates are: handed "
-         "over, no "
-         "route, queue full, failed.";
+         "are addresses; 65535 is everyone, 65534 the neighbours of the sender. Verdicts are: "
+         "delivered, below sensitivity, preamble missed, collision, interference, noise, obstacle, "
+         "retry limit, queue full, receiver transmitting, radio off, no route, expired, agent "
+         "down, random loss. Fates are: handed over, no route, queue full, failed.";
 }
 
 std::string schema_sql(const std::vector<Table>& tables) {

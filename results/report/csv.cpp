@@ -107,7 +107,7 @@ void write_csv(const std::filesystem::path& folder, std::string_view name, const
   const Table* const table = record::find_table(name);
   if (table == nullptr) {
     throw std::runtime_error(
-        fmt::format("'{}' is no table of a result; there are: {}", name, record::table_names()));
+        fmt::format("'{}' is not a table of a result; there are: {}", name, record::table_names()));
   }
   record::RunReader reader(folder);
   Statement query = reader.query(query_for(*table));
@@ -117,7 +117,7 @@ void write_csv(const std::filesystem::path& folder, std::string_view name, const
 void write_csv(campaign::CampaignReader& reader, std::string_view name, const Write& write) {
   const Table* const table = record::find_table(campaign::tables(), name);
   if (table == nullptr) {
-    throw std::runtime_error(fmt::format("'{}' is no table of a campaign; there are: {}", name,
+    throw std::runtime_error(fmt::format("'{}' is not a table of a campaign; there are: {}", name,
                                          record::table_names(campaign::tables())));
   }
   Statement query = reader.query(query_for(*table));

@@ -59,7 +59,7 @@ void check_is_there(const Experiment& experiment, const sim::scenario::PlotReque
     return;
   }
   throw std::runtime_error(
-      fmt::format("{}: none of these runs has it of '{}'", name, request.agent));
+      fmt::format("{}: none of these runs has it for '{}'", name, request.agent));
 }
 
 sim::scenario::PlotKind kind_of(const Experiment& experiment,
@@ -85,8 +85,8 @@ void note_few_runs(Plot& plot, const Experiment& experiment) {
   }
   if (fewest >= statistics::kFewestRuns) return;
   plot.notes.push_back(
-      fewest < 2 ? "one run of a setting: nothing is known of how much it varies, and there is no "
-                   "interval; more replications are needed"
+      fewest < 2 ? "one run of a setting: its variation is unknown, and there is no interval; more "
+                   "replications are needed"
                  : fmt::format("only {} runs of a setting: too few to trust its interval; at least "
                                "{} replications are needed",
                                fewest, statistics::kFewestRuns));

@@ -22,7 +22,7 @@ std::string topics_text(const Group& group, std::int64_t all) {
                    "p99 ms", "air time s", "share %"});
   for (const TopicSums& one : topic_sums(group)) {
     table.add_row(
-        {one.topic.empty() ? "(not told of)" : one.topic, std::to_string(one.samples),
+        {one.topic.empty() ? "(not announced)" : one.topic, std::to_string(one.samples),
          std::to_string(one.delivered), std::to_string(one.first_try), std::to_string(one.repaired),
          milliseconds_or_none(latency_quantile(one.latencies, 0.5)),
          milliseconds_or_none(latency_quantile(one.latencies, 0.99)),
@@ -55,8 +55,8 @@ std::string air_section(const Group& group) {
   if (kinds.empty()) return {};
   const std::int64_t all = airtime_of(kinds);
   return fmt::format(
-      "{}: topics of programs, samples times receivers, total of {} runs\n{}"
-      "{}: what the air was used for, most first\n{}",
+      "{}: topics of programs, samples times receivers, total of {} runs\n{}{}: use of the air by "
+      "kind of traffic, largest first\n{}",
       group.name, group.runs.size(), topics_text(group, all), group.name, kinds_text(kinds, all));
 }
 

@@ -84,15 +84,15 @@ std::string links_text(const Group& group) {
                    losses_of(links[i])});
   }
   return fmt::format(
-      "the {} of {} links that lost most, of those with {} frames or more to them or to everyone "
-      "(all: baraka export DIR link_verdicts)\n{}",
+      "the {} of {} links that lost most, among those with at least {} frames to the receiver or "
+      "to everyone (all: baraka export DIR link_verdicts)\n{}",
       std::min(kWorstLinks, links.size()), links.size(), kEnoughFrames, table.text());
 }
 
 }  // namespace
 
 std::string losses_section(const Group& group) {
-  return fmt::format("{}: what became of each frame at each other radio, total of {} runs\n{}{}",
+  return fmt::format("{}: outcome of each frame at each other radio, total of {} runs\n{}{}",
                      group.name, group.runs.size(), sums_text(group), links_text(group));
 }
 

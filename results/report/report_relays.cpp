@@ -24,7 +24,7 @@ std::string relays_section(const Group& group) {
                    std::to_string(one.count("waiting")), std::to_string(one.most),
                    one.queued == 0 ? "-" : milliseconds(wait / static_cast<double>(one.queued))});
   }
-  return fmt::format("{}: what access points passed on, total of {} runs\n{}", group.name,
+  return fmt::format("{}: frames forwarded by access points, total of {} runs\n{}", group.name,
                      group.runs.size(), table.text());
 }
 
@@ -36,8 +36,8 @@ std::string sample_losses_section(const Group& group) {
     const auto& [topic, verdict, at] = key;
     table.add_row({topic, verdict, at.empty() ? "-" : at, std::to_string(count)});
   }
-  return fmt::format("{}: why samples of programs did not come, total of {} runs\n{}", group.name,
-                     group.runs.size(), table.text());
+  return fmt::format("{}: why samples of programs were not delivered, total of {} runs\n{}",
+                     group.name, group.runs.size(), table.text());
 }
 
 }  // namespace results::report

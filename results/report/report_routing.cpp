@@ -14,7 +14,7 @@ std::string routing_section(const Group& group) {
   if (sums.empty()) return "";
   TextTable table({"event", "count"});
   for (const auto& [event, count] : sums) table.add_row({event, std::to_string(count)});
-  return group.name + ": what routing did, all agents and runs\n" + table.text();
+  return group.name + ": routing events, all agents and runs\n" + table.text();
 }
 
 }  // namespace results::report

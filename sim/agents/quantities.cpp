@@ -79,34 +79,37 @@ bool has_battery(const AgentConfig& agent, std::size_t) {
 
 std::vector<Quantity> body_quantities() {
   return {
-      {"agents", "x", "m", "place in the world, of the origin of the body", false, always,
+      {"agents", "x", "m", "x of the origin of the body, world frame", false, always,
        of_present<[](View view, std::size_t) -> Value { return body_of(view).x; }>},
-      {"agents", "y", "m", "likewise", false, always,
+      {"agents", "y", "m", "y of the origin of the body, world frame", false, always,
        of_present<[](View view, std::size_t) -> Value { return body_of(view).y; }>},
-      {"agents", "yaw", "rad", "heading in the world", false, with_body,
+      {"agents", "yaw", "rad", "heading, world frame", false, with_body,
        of_present<[](View view, std::size_t) -> Value { return body_of(view).theta; }>},
-      {"agents", "tilt", "rad", "between the body's z axis and the vertical", false, with_body,
-       of_present<[](View view, std::size_t) -> Value { return body_of(view).tilt; }>},
-      {"agents", "speed", "m/s", "true speed in the plane", false, always, of_present<speed>},
-      {"agents", "turn_rate", "rad/s", "true rate of turn", false, with_body,
+      {"agents", "tilt", "rad", "angle between the body's z axis and the vertical", false,
+       with_body, of_present<[](View view, std::size_t) -> Value { return body_of(view).tilt; }>},
+      {"agents", "speed", "m/s", "true horizontal speed", false, always, of_present<speed>},
+      {"agents", "turn_rate", "rad/s", "true turning rate", false, with_body,
        of_present<turn_rate>},
-      {"agents", "clearance", "m", "to the nearest wall's surface; none without walls", false,
+      {"agents", "clearance", "m",
+       "distance from the centre to the nearest surface of a wall; absent without walls", false,
        with_body, of_present<clearance>},
-      {"agents", "odometry_error", "m", "between where a robot is and where its odometry has it",
-       false, robot_only, of_present<odometry_distance>},
-      {"agents", "odometry_yaw_error", "rad", "heading by odometry less the true one, -pi to pi",
+      {"agents", "odometry_error", "m",
+       "distance between the true position of a robot and the one that its odometry gives", false,
+       robot_only, of_present<odometry_distance>},
+      {"agents", "odometry_yaw_error", "rad", "heading by odometry minus true heading, -pi to pi",
        false, robot_only, of_present<odometry_angle>},
       {"agents", "wheel_speed", "rad/s",
-       "of a driven wheel, in the order of the robot's file; mean since the look before", true,
-       has_wheel, of_present<wheel_angle>, true},
+       "angular speed of a driven wheel, in the order of the robot's file; mean since the previous "
+       "sample",
+       true, has_wheel, of_present<wheel_angle>, true},
       {"agents", "energy", "J",
-       "drawn so far from its battery by computer, radio and motors, with the heat in the battery: "
-       "never more than it held; none without a battery",
+       "energy drawn so far from its battery by computer, radio and motors, including losses in "
+       "the battery; never more than it contained; absent without a battery",
        false, has_battery,
        [](View view, std::size_t) -> Value { return view.agent.supply()->battery().drawn(); }},
       {"agents", "load", "J",
-       "asked for so far by computer, radio and motors, also of a battery that was empty; none "
-       "without a battery",
+       "energy that computer, radio and motors have demanded so far, even while the battery was "
+       "empty; absent without a battery",
        false, has_battery,
        [](View view, std::size_t) -> Value { return view.agent.supply()->load(); }},
   };
@@ -114,21 +117,21 @@ std::vector<Quantity> body_quantities() {
 
 std::vector<Quantity> radio_quantities() {
   return {
-      {"radio", "queue", "1", "frames that wait to be sent or are being sent", false, always,
+      {"radio", "queue", "1", "frames that are queued or being sent", false, always,
        [](View view, std::size_t) -> Value { return static_cast<double>(view.mac.waiting()); }},
       {"radio", "on", "1", "1: the radio is on, 0: off", false, always,
        [](View view, std::size_t) -> Value { return view.mac.radio_on() ? 1 : 0; }},
-      {"radio", "transmit_share", "1", "share of the time since the look before in which it sent",
-       true, always,
+      {"radio", "transmit_share", "1",
+       "share of the time since the previous sample in which the radio transmitted", true, always,
        [](View view, std::size_t) -> Value {
          return hal::to_seconds(view.mac.use().transmitting);
        }},
-      {"radio", "receive_share", "1", "likewise, in which the medium was busy by others", true,
-       always,
+      {"radio", "receive_share", "1",
+       "share of that time in which the medium was busy because of others", true, always,
        [](View view, std::size_t) -> Value { return hal::to_seconds(view.mac.use().receiving); }},
-      {"radio", "idle_share", "1", "likewise, in which the medium was idle", true, always,
+      {"radio", "idle_share", "1", "share of that time in which the medium was idle", true, always,
        [](View view, std::size_t) -> Value { return hal::to_seconds(view.mac.use().listening); }},
-      {"radio", "off_share", "1", "likewise, in which it was off", true, always,
+      {"radio", "off_share", "1", "share of that time in which the radio was off", true, always,
        [](View view, std::size_t) -> Value { return hal::to_seconds(view.mac.use().off); }},
   };
 }
@@ -142,7 +145,8 @@ Value destinations(View view, std::size_t) {
 
 std::vector<Quantity> routing_quantities() {
   return {
-      {"routing", "neighbours", "1", "agents that its router knows to hear directly", false, always,
+      {"routing", "neighbours", "1",
+       "agents from which its router knows that it receives frames directly", false, always,
        [](View view, std::size_t) -> Value {
          return static_cast<double>(view.agent.core().router().neighbours().size());
        }},
@@ -150,9 +154,9 @@ std::vector<Quantity> routing_quantities() {
        [](View view, std::size_t) -> Value {
          return static_cast<double>(view.agent.core().router().routes().size());
        }},
-      {"routing", "destinations", "1", "pairs of a topic and an agent that it has a route to",
-       false, always, destinations},
-      {"routing", "malformed_frames", "1", "frames so far that its router could not read", false,
+      {"routing", "destinations", "1", "pairs of topic and agent to which it has a route", false,
+       always, destinations},
+      {"routing", "malformed_frames", "1", "frames so far that its router could not parse", false,
        always,
        [](View view, std::size_t) -> Value {
          return static_cast<double>(view.agent.core().router().malformed_frames());

@@ -91,7 +91,8 @@ bool OutsideInput::take(hal::Time now, const std::function<void(const OutsideArr
   if (!has_waiting_ && held_.empty()) return false;
   const std::deque<OutsideArrival> arrivals = due(now);
   if (const std::uint64_t dropped = dropped_; dropped != told_) {
-    hal::log::warning(now, "run", "{} more from outside than {} that may wait: the oldest went",
+    hal::log::warning(now, "run",
+                      "{} inputs from outside dropped, oldest first: at most {} may wait",
                       dropped - told_, kMostWaiting);
     told_ = dropped;
   }
@@ -105,9 +106,9 @@ bool OutsideInput::take(hal::Time now, const std::function<void(const OutsideArr
 void OutsideInput::replay(std::vector<OutsideArrival> arrivals) {
   for (const OutsideArrival& arrival : arrivals) {
     if (doors_.contains(arrival.door)) continue;
-    throw std::runtime_error(fmt::format(
-        "the record has something from outside for '{}', which this run does not listen to",
-        arrival.door));
+    throw std::runtime_error(
+        fmt::format("the record has an input from outside for '{}', which this run does not have",
+                    arrival.door));
   }
   is_replayed_ = true;
   const std::lock_guard lock(mutex_);

@@ -15,8 +15,8 @@ struct FadingConfig {
 template <class Fields>
 void keys_of(Fields& io, FadingConfig& c) {
   io.number({"scatterer_speed",
-             "Of what reflects the waves; it adds to the speed of the nodes. 0 m/s: a link changes "
-             "only when one of its ends moves.",
+             "Speed of the objects that reflect the waves, added to that of the nodes. 0 m/s: a "
+             "link changes only when one of its ends moves.",
              "1 m/s"},
             "m/s", {0, 1000}, c.scatterer_speed);
 }

@@ -15,12 +15,15 @@ struct LogDistanceConfig {
 
 template <class Fields>
 void keys_of(Fields& io, LogDistanceConfig& c) {
-  io.quantity({"reference_loss", "Up to the reference distance.", "46.6777 dB"}, "dB", {0, 300},
-              c.reference_loss);
-  io.quantity({"reference_distance", "From which the loss grows.", "1 m"}, "m", {1e-3, 1e6},
-              c.reference_distance);
-  io.number({"exponent", "Ten times that in dB for ten times the distance.", "3"}, "1", {1, 8},
-            c.exponent);
+  io.quantity({"reference_loss", "Path loss at the reference distance.", "46.6777 dB"}, "dB",
+              {0, 300}, c.reference_loss);
+  io.quantity({"reference_distance", "Distance beyond which the loss grows.", "1 m"}, "m",
+              {1e-3, 1e6}, c.reference_distance);
+  io.number(
+      {"exponent",
+       "Path loss exponent: the loss grows by ten times this, in dB, for ten times the distance.",
+       "3"},
+      "1", {1, 8}, c.exponent);
 }
 
 std::unique_ptr<const PathLoss> make(const LogDistanceConfig& config, const PropagationConfig& air,

@@ -16,13 +16,19 @@ struct NakagamiConfig : FadingConfig {
 
 template <class Fields>
 void keys_of(Fields& io, NakagamiConfig& c) {
-  io.number({"m_near", "Shape up to `middle_from`; 1: Rayleigh, more: steadier.", "1.5"}, "1",
-            {0.5, 50}, c.m_near);
-  io.number({"m_middle", "Shape from there up to `far_from`.", "0.75"}, "1", {0.5, 50}, c.m_middle);
-  io.number({"m_far", "Shape beyond.", "0.75"}, "1", {0.5, 50}, c.m_far);
-  io.quantity({"middle_from", "Distance from which `m_middle` holds.", "80 m"}, "m", {0, 1e6},
+  io.number({"m_near",
+             "Shape parameter m at distances below `middle_from`; 1: Rayleigh fading, larger: "
+             "weaker fading.",
+             "1.5"},
+            "1", {0.5, 50}, c.m_near);
+  io.number(
+      {"m_middle", "Shape parameter m at distances from `middle_from` to `far_from`.", "0.75"}, "1",
+      {0.5, 50}, c.m_middle);
+  io.number({"m_far", "Shape parameter m at distances beyond `far_from`.", "0.75"}, "1", {0.5, 50},
+            c.m_far);
+  io.quantity({"middle_from", "Distance from which `m_middle` applies.", "80 m"}, "m", {0, 1e6},
               c.middle_from);
-  io.quantity({"far_from", "Distance from which `m_far` holds.", "200 m"}, "m", {0, 1e6},
+  io.quantity({"far_from", "Distance from which `m_far` applies.", "200 m"}, "m", {0, 1e6},
               c.far_from);
   if (c.far_from < c.middle_from) io.mistake("far_from", "is below middle_from");
   keys_of(io, static_cast<FadingConfig&>(c));

@@ -12,8 +12,9 @@ struct RicianConfig : FadingConfig {
 
 template <class Fields>
 void keys_of(Fields& io, RicianConfig& c) {
-  io.quantity({"k", "Power of the direct ray over that of all others (K).", "6 dB"}, "dB",
-              {-50, 50}, c.k);
+  io.quantity(
+      {"k", "K factor: ratio of the power of the direct ray to that of all others.", "6 dB"}, "dB",
+      {-50, 50}, c.k);
   keys_of(io, static_cast<FadingConfig&>(c));
 }
 

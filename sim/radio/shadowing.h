@@ -14,11 +14,14 @@ struct ShadowingConfig {
 
 template <class Fields>
 void keys_of(Fields& io, ShadowingConfig& c) {
-  io.quantity({"sigma", "Standard deviation among links; none differs by more than three times it.",
-               "4 dB"},
-              "dB", {0, 30}, c.sigma);
+  io.quantity(
+      {"sigma", "Standard deviation among links; no link deviates by more than three times this.",
+       "4 dB"},
+      "dB", {0, 30}, c.sigma);
   io.quantity({"decorrelation_distance",
-               "If one end moves so far, the correlation falls to 1/e, exponentially.", "20 m"},
+               "Distance that one end of a link must move for the correlation to fall to 1/e; the "
+               "decay is exponential.",
+               "20 m"},
               "m", {1e-3, 1e6}, c.decorrelation_distance);
 }
 

@@ -33,17 +33,18 @@ struct FortuneKey {
 };
 constexpr std::array<FortuneKey, 6> kFortunes{
     {{Fortune::kKill,
-      "The controllers of these agents (a name, or a pattern) die, as by a crash: they are told "
-      "nothing more, wheels stop after command_timeout, radio and routing live on."},
+      "Ends the controllers of these agents (a name, or a pattern) as a crash would: they get no "
+      "more events and the wheels stop after command_timeout, while radio and routing go on."},
      {Fortune::kRestart,
-      "The controllers of these agents begin anew and know nothing; those that live are killed."},
+      "Starts new controllers for these agents, without any memory of the old ones, which are "
+      "killed if they still run."},
      {Fortune::kSwitchOff,
-      "Radio and motors of these agents lose their power; the controllers live on and do not "
-      "know."},
-     {Fortune::kSwitchOn, "Radio and motors of these agents have their power again."},
+      "Cuts the power of these agents' radios and motors; their controllers go on and are not "
+      "told."},
+     {Fortune::kSwitchOn, "Restores the power of these agents' radios and motors."},
      {Fortune::kAdd,
-      "These agents, which are not there, come to their places with new controllers."},
-     {Fortune::kRemove, "These agents are gone: bodies, radios, controllers."}}};
+      "Adds these agents, which are absent, at their places and with new controllers."},
+     {Fortune::kRemove, "Removes these agents: their bodies, radios and controllers."}}};
 
 /// Why the action is impossible for the agent; empty if it is possible.
 std::string objection(Fortune fortune, const AgentConfig& agent) {
@@ -88,16 +89,19 @@ void fortune_key(Fields& io, const FortuneKey& key, ScriptedAction& action,
 
 void move_keys(Fields& io, ScriptedAction& action, const Scenario& scenario) {
   auto& [x, y, yaw] = as<MoveTo>(action.what).pose;
-  whose_key(io, {"move", "This agent's body is somewhere else, at rest and upright.", "NAME0"},
-            action, scenario);
+  whose_key(
+      io,
+      {"move", "Moves this agent's body to another place, where it stands upright and at rest.",
+       "NAME0"},
+      action, scenario);
   hal::Vec2 to{x, y};
-  io.needed({"to", "With `move`: where, world frame.", "[10 m, 5 m]"}, "m", kCoordinate, to);
+  io.needed({"to", "With `move`: new position, world frame.", "[10 m, 5 m]"}, "m", kCoordinate, to);
   x = to.x;
   y = to.y;
-  io.number({"yaw", "With `move`: heading there.", "90 deg"}, "rad", kAngle, yaw);
+  io.number({"yaw", "With `move`: new heading.", "90 deg"}, "rad", kAngle, yaw);
   if (action.agents.size() > 1) {
-    io.mistake("move", fmt::format("'{}' is {} agents, and only one can be there", action.whose,
-                                   action.agents.size()));
+    io.mistake("move", fmt::format("'{}' matches {} agents, and only one can be moved to a place",
+                                   action.whose, action.agents.size()));
   }
   object(io, "move", action, scenario, [](const AgentConfig& agent) {
     return has_body(agent) ? "" : "is a station: it stands, or moves on its path";
@@ -108,17 +112,19 @@ void set_keys(Fields& io, ScriptedAction& action, const Scenario& scenario) {
   auto& [tx_power, wheel_speed] = as<Retune>(action.what);
   whose_key(io,
             {"set",
-             "Values of these agents (a name, or a pattern) that are others from now on; "
-             "parameters of controllers are not among them.",
+             "Changes values of these agents (a name, or a pattern) from now on. Parameters of "
+             "controllers cannot be changed.",
              "'NAME*'"},
             action, scenario);
-  const bool has_power = io.given(
-      {"tx_power", "With `set`: into the antenna, from the next frame on.", "10 mW", "as it was"},
-      "mW", kPower, tx_power);
+  const bool has_power =
+      io.given({"tx_power", "With `set`: transmit power at the antenna, from the next frame on.",
+                "10 mW", "as it was"},
+               "mW", kPower, tx_power);
   if (has_power && radio::waves_of(scenario.simulation.radio) == nullptr)
     io.mistake("tx_power", "radios of this profile have no power");
   const bool has_speed = io.given(
-      {"wheel_speed", "With `set`: no wheel turns faster; the next command is scaled down.",
+      {"wheel_speed",
+       "With `set`: largest angular speed of the wheels; later commands are scaled down to it.",
        "5 rad/s", "as it was"},
       "rad/s", kWheelSpeed, wheel_speed);
   if (has_speed) {
@@ -133,24 +139,24 @@ void drain_keys(Fields& io, ScriptedAction& action, const Scenario& scenario) {
   std::optional<double>& level = as<Drain>(action.what).level;
   whose_key(
       io,
-      {"drain", "Charge is taken out of the first battery of these agents (a name, or a pattern).",
+      {"drain", "Removes energy from the first battery of these agents (a name, or a pattern).",
        "'NAME*'"},
       action, scenario);
   const auto energy_key = [&](Fields& one) {
     double taken = energy.value_or(kEnergy.low);
-    one.needed({"energy", "With `drain`: so much, or down to `level`.", "500 J"}, "J", kEnergy,
-               taken);
+    one.needed({"energy", "With `drain`: energy to remove; give this or `level`.", "500 J"}, "J",
+               kEnergy, taken);
     energy = taken;
   };
   const auto level_key = [&](Fields& one) {
     double left = level.value_or(0);
     one.needed({"level",
-                "With `drain`: what is left, share of the capacity; if there is less already, "
-                "nothing happens.",
+                "With `drain`: state of charge to fall to, as a share of the capacity; has no "
+                "effect if there is less already.",
                 "0.2"},
                "1", {0, 1}, left);
     level = left;
-    one.unused("energy", "cannot stand beside level");
+    one.unused("energy", "cannot be combined with level");
   };
   const bool is_level = level.has_value();
   if (!io.first_of({{"level", is_level, level_key}, {"energy", !is_level, energy_key}}))
@@ -161,28 +167,33 @@ void drain_keys(Fields& io, ScriptedAction& action, const Scenario& scenario) {
 
 void interferer_keys(Fields& io, Jam& c) {
   hal::Vec2 at{c.position.x, c.position.y};
-  io.needed({"position", "Of its antenna, world frame.", "[50 m, 20 m]"}, "m", kCoordinate, at);
+  io.needed({"position", "Position of its antenna, world frame.", "[50 m, 20 m]"}, "m", kCoordinate,
+            at);
   c.position = {at.x, at.y, c.position.z};
-  io.number({"height", "Of its antenna.", "1 m"}, "m", {0, 1e4}, c.position.z);
-  io.needed({"power", "Radiated, the same in all directions.", "100 mW"}, "mW", kPower,
+  io.number({"height", "Height of its antenna above the ground.", "1 m"}, "m", {0, 1e4},
+            c.position.z);
+  io.needed({"power", "Radiated power, the same in all directions.", "100 mW"}, "mW", kPower,
             c.power.value);
-  io.given_count(
-      {"channel", "Number of the channel that it fills.", "6", "that of the scenario's radio"}, 1,
-      radio::kChannels, c.channel);
-  io.needed({"duration", "How long.", "5 s"}, {1e-5, hal::files::config::kLongestDuration},
+  io.given_count({"channel", "Channel whose whole bandwidth it occupies.", "6",
+                  "that of the scenario's radio"},
+                 1, radio::kChannels, c.channel);
+  io.needed({"duration", "How long it stays.", "5 s"}, {1e-5, hal::files::config::kLongestDuration},
             c.duration);
-  io.number({"duty_cycle", "Share of the time in which it sends.", "0.5"}, "1", {1e-4, 1},
+  io.number({"duty_cycle", "Share of the time in which it transmits.", "0.5"}, "1", {1e-4, 1},
             c.duty_cycle);
   if (!io.is_writing()) c.period = 10ms;
-  io.duration({"period", "From burst to burst.", "10 ms"}, kBurst, c.period);
+  io.duration({"period", "Time from the start of one burst to the start of the next.", "10 ms"},
+              kBurst, c.period);
 }
 
 void jam_key(Fields& io, ScriptedAction& action, const Scenario& scenario) {
-  io.inside({"jam", "An interferer: energy that nobody can receive, in bursts."}, [&](Fields& jam) {
-    interferer_keys(jam, as<Jam>(action.what));
-    if (radio::waves_of(scenario.simulation.radio) == nullptr)
-      jam.mistake("", "radios of this profile know no interference");
-  });
+  io.inside(
+      {"jam", "Adds an interferer, which radiates bursts of energy that no receiver can decode."},
+      [&](Fields& jam) {
+        interferer_keys(jam, as<Jam>(action.what));
+        if (radio::waves_of(scenario.simulation.radio) == nullptr)
+          jam.mistake("", "radios of this profile know no interference");
+      });
 }
 
 std::vector<Fields::Saying> sayings(ScriptedAction& action, const Scenario& scenario) {
@@ -213,8 +224,8 @@ void keys_of(Fields& io, ScriptedAction& action, const Scenario& scenario) {
   if (Mapping* const in = io.reading()) action.place = in->place();
   if (io.first_of(all)) return;
   io.mistake("",
-             "must say what happens: kill, restart, switch_off, switch_on, add, remove, "
-             "move, set, drain or jam");
+             "must have an action: kill, restart, switch_off, switch_on, add, remove, move, set, "
+             "drain or jam");
   for (const Fields::Saying& one : all) io.reading()->has(one.key);
 }
 

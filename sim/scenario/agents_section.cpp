@@ -55,15 +55,15 @@ void kind_keys(Fields& io, agents::Station& c) { station_keys(io, c); }
 
 const std::array kBodies{
     alternative<Body, RobotDescription>({"robot",
-                                         "The group's agents are robots of this kind, mostly "
+                                         "The agents of the group are robots of this kind, usually "
                                          "{include: ../robots/robertino.yaml}."}),
-    alternative<Body, MoteDescription>(
-        {"mote",
-         "The group's agents are motes of this kind, mostly {include: ../robots/mote.yaml}."}),
+    alternative<Body, MoteDescription>({"mote",
+                                        "The agents of the group are motes of this kind, usually "
+                                        "{include: ../robots/mote.yaml}."}),
     alternative<Body, agents::Station>(
         {"station",
-         "The group's agents are radios without bodies, which stand or move on a path; to their "
-         "controllers they are motes."})};
+         "The agents of the group are radio stations without bodies, which stand still or move "
+         "along a path; controllers see them as motes."})};
 
 /// An included group may have a body of another kind.
 bool has_two_bodies(Mapping& in) {
@@ -88,8 +88,8 @@ void body_keys(Fields& io, Body& body) {
   io.only(robot != nullptr, {"robot", {"there"}}, why, [&](Fields& own) {
     WheelLevel level = robot == nullptr ? WheelLevel{} : robot->wheel_level;
     own.choice({"wheels",
-                "How much of the wheels is simulated: bodies on hinges with motors, or only where "
-                "they touch the ground, which is some 3.5 times faster.",
+                "How wheels are simulated. jointed: as bodies on hinges with motors; contact: only "
+                "as forces where they touch the ground, some 3.5 times faster.",
                 "jointed"},
                kWheelLevels, level);
     if (robot != nullptr) robot->wheel_level = level;
@@ -159,8 +159,10 @@ Population population_of(std::span<const AgentConfig> agents) {
 
 void keys_of(Fields& io, Population& c, Group& group) {
   name_key(io, c.names);
-  io.count({"address", "Network address of the group's first agent; the others count on.", "1",
-            "the first free one"},
+  io.count({"address",
+            "Network address of the group's first agent; the other agents have the addresses that "
+            "follow.",
+            "1", "the first free one"},
            1, hal::kLastAddress, c.address);
   body_keys(io, c.body);
   placement_keys(io, c.placement, group.places);
@@ -189,16 +191,25 @@ std::vector<AgentConfig> populate(Fields& io, const Population& c, Group& group,
 /// Robots and motes without a network need a controller; stations receive and relay without one.
 void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const Body& body) {
   const bool is_networked = !agents.empty() && agents.front().network.has_value();
+<<<<<<< HEAD
   const bool has_network = io.inside_given(
       {"network",
        "An interface `wlan0` for programs with sockets: their packets go through the agents' "
        "simulated radios. Such a run is in lock-step, too, unless `--pace` says otherwise."},
       is_networked, [&](Fields& network) { network_keys(network, agents); });
+=======
+  const bool has_network =
+      io.inside_given({"network",
+                       "Network interface `wlan0` for programs with sockets: their packets go "
+                       "through the agents' simulated radios. Such a run is in lock-step, unless "
+                       "`--pace` says otherwise or a controller has `inside: true`."},
+                      is_networked, [&](Fields& network) { network_keys(network, agents); });
+>>>>>>> helper-house
   io.only(has_network, {"network", {"there"}}, "needs `network`, the interface that programs use",
           [&](Fields& networked) { programs_keys(networked, group); });
-  const Key key{"controller",
-                "The program that drives the agents; may be absent of stations, and where they "
-                "have a network."};
+  const Key key{
+      "controller",
+      "The controller of the agents. Stations, and agents with a network, can do without."};
   const auto controller = [&](Fields& one) { controller_keys(one, group, agents); };
   const bool may_be_absent = has_network || std::holds_alternative<agents::Station>(body);
   if (io.is_writing() || may_be_absent) {
@@ -214,16 +225,17 @@ void other_keys(Fields& io, std::span<AgentConfig> agents) {
   std::optional<Algorithm> routing;
   if (!agents.empty()) routing = agents.front().routing;
   io.written_if(!is_present, [&](Fields& absent) {
-    absent.flag({"present",
-                 "Whether the group's agents are there at the start; if not, an event may add "
-                 "them.",
-                 "false"},
-                is_present);
+    absent.flag(
+        {"present",
+         "Whether the group's agents are present at the start; if not, an event can add them.",
+         "false"},
+        is_present);
   });
-  const Key key{"routing",
-                "How the group's messages find their way: by this algorithm, with the keys of the "
-                "scenario's `routing`, or `none`: straight to the MAC, one hop.",
-                "none", "that of the scenario"};
+  const Key key{
+      "routing",
+      "Routing protocol of the group's messages, with the keys of the scenario's `routing`; or "
+      "`none`: no routing, messages go directly to the MAC and travel one hop.",
+      "none", "that of the scenario"};
   if (io.is_writing()) {  // includes algorithms that files cannot name
     std::string name(routing ? routing->name() : "");
     io.given_text(key, name);
@@ -279,8 +291,8 @@ void group_keys(Fields& io, Scenario& scenario) {
   if (names.empty()) io.mistake("", "there must be at least one group of agents");
   Taken taken;
   io.named({"NAME",
-            "A group of agents with one kind of body and one controller, under a name of your "
-            "own."},
+            "A group of agents with the same kind of body and the same controller, under a name of "
+            "your own."},
            names, [&](Fields& one, const std::string& name) {
              Mapping* const in = one.reading();
              if (one.is_writing()) {

@@ -15,50 +15,52 @@ namespace {
 constexpr const char* kBss = "bss";
 constexpr const char* kNone = "none";
 
-const Key kSsidKey{"ssid", "Name of the network, 1 to 32 bytes.", "field", "baraka"};
+const Key kSsidKey{"ssid", "Name of the network (SSID), 1 to 32 bytes.", "field", "baraka"};
 const Key kAccessPoints{
     "access_point",
-    "Name of the agent that is the access point, or a list of several: the other agents are "
-    "stations, which use the one that they hear best, and send to each other through it. Without "
-    "one the network is ad hoc.",
+    "Agent that is the access point, or a list of several. All other agents are stations: each "
+    "associates with the access point that it receives best, and sends to others through it. "
+    "Without an access point the network is ad hoc.",
     "[NAME0]"};
 const Key kOwnAccessPoints{
     "access_point",
-    "Those that the agents of this group may use instead of the radio's, a name or a list; `none`: "
-    "they are in an ad hoc network. Who is named is an access point.",
+    "Access points that the agents of this group may use instead of the radio's, a name or a list; "
+    "`none`: they form an ad hoc network. The agents named here are access points.",
     "[NAME0]", "those of `radio`"};
 
 void bss_keys_of(Fields& io, radio::BssConfig& c) {
   io.duration({"beacon_interval",
-               "From one beacon of an access point to its next; a multiple of 1.024 ms. Those of "
-               "several access points are spread evenly over it.",
+               "Time between two beacons of an access point, a multiple of 1.024 ms. The beacons "
+               "of several access points are spread evenly over it.",
                "102.4 ms"},
               {1.024e-3, 67.10784}, c.beacon_interval);
   io.quantity({"hysteresis",
-               "A station changes over to an access point whose mean beacon is stronger by more "
-               "than this.",
+               "A station changes to another access point when the mean RSSI of its beacons is "
+               "higher by more than this.",
                "6 dB"},
               "dB", {0, 100}, c.hysteresis);
   io.number({"beacon_weight",
-             "Of the newest beacon in the running mean of an access point's RSSI in dBm; 1: only "
-             "the newest counts.",
+             "Weight of the newest beacon in the running mean of an access point's RSSI in dBm; 1: "
+             "only the newest counts.",
              "0.25"},
             "1", {1e-3, 1}, c.beacon_weight);
-  io.count({"beacon_loss",
-            "An access point is lost to a station so many intervals after the last beacon that it "
-            "heard.",
-            "7"},
-           1, 1000, c.beacon_loss);
+  io.count(
+      {"beacon_loss",
+       "Beacon intervals without a beacon after which a station takes its access point for lost.",
+       "7"},
+      1, 1000, c.beacon_loss);
   io.duration({"scan_time",
-               "For so long, and a random part longer, a station without an access point listens "
-               "before it chooses one.",
+               "How long a station without an access point listens before it chooses one; a random "
+               "part of this is added.",
                "120 ms"},
               {1e-3, 100}, c.scan_time);
   io.duration(
       {"answer_timeout",
-       "So long a station waits for the answer to an authentication or association.", "200 ms"},
+       "How long a station waits for the answer to an authentication or association request.",
+       "200 ms"},
       {1e-3, 100}, c.answer_timeout);
-  io.duration({"distribution_delay", "Of the wire from one access point to another.", "1 ms"},
+  io.duration({"distribution_delay",
+               "Delay of the wire between access points (the distribution system).", "1 ms"},
               {0, 10}, c.distribution_delay);
 }
 
@@ -110,7 +112,7 @@ void keys_of(Fields& io, radio::BssConfig& c) {
 }
 
 void own_access_points_key(Fields& io, std::optional<std::vector<std::string>>& names) {
-  const Key key{kBss, "Of these agents, where they are not as `radio.bss` says."};
+  const Key key{kBss, "The access points of these agents, where they differ from `radio.bss`."};
   io.only(io.reading() != nullptr || names.has_value(), {}, "", [&](Fields& given) {
     given.inside(key, [&](Fields& bss) {
       bss.own(
@@ -190,7 +192,7 @@ void warn_of_lone_access_points(Mapping& in, const Scenario& scenario, const Rea
       in.within("agents")
           .within(group.name)
           .warn("radio", fmt::format("no station that may use the access point '{}' is on its "
-                                     "channel, {}: nobody finds it",
+                                     "channel, {}: no station can associate with it",
                                      agent.name, reach.channel_of(agent)));
     }
   }
@@ -200,7 +202,7 @@ void warn_of_lost_stations(Mapping& in, const Scenario& scenario, const AgentsBy
   const Reach reach(scenario, *dcf_of(scenario.simulation.radio));
   Mapping radio = in.within("radio");
   if (radio.has(kBss) && !reach.has_access_points()) {
-    radio.warn(kBss, "nobody is named as an access point: the network is ad hoc");
+    radio.warn(kBss, "no access point is named: the network is ad hoc");
   }
   warn_of_lone_access_points(in, scenario, reach, by_id);
   for (const Group& group : scenario.groups) {
@@ -210,10 +212,11 @@ void warn_of_lost_stations(Mapping& in, const Scenario& scenario, const AgentsBy
     const agents::AgentConfig& agent = *by_id.at(*lost);
     in.within("agents")
         .within(group.name)
-        .warn("radio",
-              fmt::format("none of the access points of '{}' is on its channel, {}: it waits for "
-                          "one for ever",
-                          agent.name, reach.channel_of(agent)));
+        .warn(
+            "radio",
+            fmt::format(
+                "none of the access points of '{}' is on its channel, {}: it will never associate",
+                agent.name, reach.channel_of(agent)));
   }
 }
 

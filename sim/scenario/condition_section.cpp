@@ -63,10 +63,12 @@ void keys_of(Fields& io, Subjects& who, const Context& context) {
         key.name, who.quantifier == quantifier,
         [&, key, quantifier](Fields& one) { subject_key(one, key, quantifier, who, context); }};
   };
-  const Key agent{"agent", "The agent that is meant; or any, or all, of a pattern.", "NAME0"};
+  const Key agent{"agent", "Agent that is examined; or use `any` or `all` with a pattern.",
+                  "NAME0"};
   const bool is_said = io.first_of(
-      {saying({"any", "At least one of the agents with such names.", "'NAME*'"}, Quantifier::kAny),
-       saying({"all", "Each of the agents with such names.", "'NAME*'"}, Quantifier::kAll),
+      {saying({"any", "At least one of the agents whose names match.", "'NAME*'"},
+              Quantifier::kAny),
+       saying({"all", "Every one of the agents whose names match.", "'NAME*'"}, Quantifier::kAll),
        saying(agent, Quantifier::kOne)});
   if (!is_said) subject_key(io, agent, Quantifier::kOne, who, context);
 }
@@ -78,12 +80,12 @@ void limit_keys(Fields& io, std::string_view unit, Range range, Limited& limited
   std::optional<double> above, below;
   if (limited.above > -kInfinity) above = limited.above;
   if (limited.below < kInfinity) below = limited.below;
-  io.given(
-      {"above", "The value must be greater.", is_part ? "0.2" : "5 m", "none if `below` is given"},
-      unit, range, above);
-  io.given(
-      {"below", "The value must be smaller.", is_part ? "0.2" : "10 m", "none if `above` is given"},
-      unit, range, below);
+  io.given({"above", "The value must be greater than this.", is_part ? "0.2" : "5 m",
+            "none if `below` is given"},
+           unit, range, above);
+  io.given({"below", "The value must be less than this.", is_part ? "0.2" : "10 m",
+            "none if `above` is given"},
+           unit, range, below);
   if (!above && !below) io.mistake("", "must have below or above, or both");
   limited.above = above.value_or(-kInfinity);
   limited.below = below.value_or(kInfinity);
@@ -93,7 +95,10 @@ void limit_keys(Fields& io, std::string_view unit, Range range, Limited& limited
 /// declare.
 void state_key(Fields& io, std::string& state, const std::vector<hal::AgentId>& of,
                const Context& context) {
-  io.needed_text({"state", "Their controllers are in this state, as they call it.", "FULFILLED"},
+  io.needed_text({"state",
+                  "State that the controllers of these agents must be in, by the name that the "
+                  "controller gives it.",
+                  "FULFILLED"},
                  state);
   if (const Mapping* in = io.reading(); in != nullptr && !of.empty())
     context.awaited.push_back({in->place("state"), in->path() + ".state", of, state});
@@ -102,18 +107,21 @@ void state_key(Fields& io, std::string& state, const std::vector<hal::AgentId>& 
 void keys_of(Fields& io, Area& area) {
   const auto box = [&](Fields& one) {
     auto& [low, high] = as<Area::Box>(area.shape);
-    one.needed(
-        {"from", "Lower left corner of a box, world frame; a circle has `centre` and `radius`.",
-         "[0 m, 0 m]"},
-        "m", kCoordinate, low);
-    one.needed({"to", "Upper right corner of a box.", "[10 m, 5 m]"}, "m", kCoordinate, high);
+    one.needed({"from",
+                "Corner of a box with the smallest x and y, world frame; a circle has `centre` and "
+                "`radius` instead.",
+                "[0 m, 0 m]"},
+               "m", kCoordinate, low);
+    one.needed({"to", "Corner of the box with the largest x and y, world frame.", "[10 m, 5 m]"},
+               "m", kCoordinate, high);
     if (high.x < low.x || high.y < low.y)
       one.mistake("to", "must not be left of, or below, `from`");
   };
   const auto circle = [&](Fields& one) {
     auto& [centre, radius] = as<Area::Circle>(area.shape);
-    one.needed({"centre", "Of a circle, world frame.", "[10 m, 5 m]"}, "m", kCoordinate, centre);
-    one.needed({"radius", "Of a circle.", "3 m"}, "m", kApart, radius);
+    one.needed({"centre", "Centre of a circle, world frame.", "[10 m, 5 m]"}, "m", kCoordinate,
+               centre);
+    one.needed({"radius", "Radius of the circle.", "3 m"}, "m", kApart, radius);
   };
   const bool is_box = std::holds_alternative<Area::Box>(area.shape);
   if (!io.first_of({{"radius", !is_box, circle}, {"from", is_box, box}})) box(io);
@@ -121,7 +129,7 @@ void keys_of(Fields& io, Area& area) {
 
 void keys_of(Fields& io, InArea& c, const Context& context) {
   keys_of(io, c.who, context);
-  io.inside({"area", "They are inside: a circle or a box."},
+  io.inside({"area", "Area that these agents must be in: a circle or a box."},
             [&](Fields& area) { keys_of(area, c.area); });
 }
 
@@ -131,7 +139,7 @@ void keys_of(Fields& io, InState& c, const Context& context) {
 }
 
 void keys_of(Fields& io, TimeReached& c, const Context& /*context*/) {
-  io.needed({"time", "From this time on.", "60 s"}, kConditionTime, c.at);
+  io.needed({"time", "True from this simulated time on.", "60 s"}, kConditionTime, c.at);
 }
 
 void keys_of(Fields& io, BatteryLevel& c, const Context& context) {
@@ -141,8 +149,8 @@ void keys_of(Fields& io, BatteryLevel& c, const Context& context) {
       io.mistake("battery", fmt::format("{} has none", declared(agent, context.scenario).name));
   }
   io.inside({"battery",
-             "State of charge of their first battery, share of the capacity; seen once per control "
-             "cycle."},
+             "State of charge of their first battery, as a share of its capacity; examined once "
+             "per control cycle."},
             [&](Fields& limits) {
               limit_keys(limits, "1", {0, 1}, c);
             });
@@ -152,7 +160,8 @@ void keys_of(Fields& io, ApartBy& c, const Context& context) {
   std::vector<std::string> names;
   if (io.is_writing())
     names = {declared(c.a, context.scenario).name, declared(c.b, context.scenario).name};
-  io.texts({"distance", "True distance between two agents.", "[NAME0, NAME1]"}, names);
+  io.texts({"distance", "True distance between the origins of two agents.", "[NAME0, NAME1]"},
+           names);
   if (Mapping* const in = io.reading(); in != nullptr && names.size() == 2) {
     c.a = agent_named(*in, "distance", names[0], context.scenario);
     c.b = agent_named(*in, "distance", names[1], context.scenario);
@@ -168,11 +177,12 @@ void count_keys(Fields& io, CountOf& c) {
   if (c.at_least > 0) least = c.at_least;
   if (c.at_most < kNoLimit || !least) most = std::min(c.at_most, kMostCounted);
   if (!io.is_writing()) most.reset();
-  io.given_count({"at_least", "With `count`: so many, or more.", "3", "none if `at_most` is given"},
+  io.given_count({"at_least", "With `count`: there must be at least this many.", "3",
+                  "none if `at_most` is given"},
                  0, kMostCounted, least);
-  io.given_count(
-      {"at_most", "With `count`: so many, or fewer.", "3", "none if `at_least` is given"}, 0,
-      kMostCounted, most);
+  io.given_count({"at_most", "With `count`: there must be at most this many.", "3",
+                  "none if `at_least` is given"},
+                 0, kMostCounted, most);
   if (!least && !most) io.mistake("", "must have at_least or at_most, or both");
   if (io.reading() == nullptr) return;
   c.at_least = least.value_or(0);
@@ -182,13 +192,15 @@ void count_keys(Fields& io, CountOf& c) {
 void keys_of(Fields& io, CountOf& c, const Context& context) {
   subject_key(io,
               {"count",
-               "Agents of which those in a `state` are counted, or the messages `received` by all "
-               "of them together.",
+               "Counts the matching agents that are in `state`, or the messages that all of them "
+               "together have `received`.",
                "'NAME*'"},
               Subjects::Quantifier::kAny, c.who, context);
   const auto received = [&](Fields& one) {
-    one.needed_text({"received", "With `count`: messages of this class.", "help"}, c.topic);
-    one.unused("state", "cannot stand beside received");
+    one.needed_text(
+        {"received", "With `count`: counts received messages of this class (topic).", "help"},
+        c.topic);
+    one.unused("state", "cannot be combined with received");
   };
   const auto state = [&](Fields& one) { state_key(one, c.state, c.who.agents, context); };
   if (!io.first_of({{"received", c.state.empty(), received}, {"state", !c.state.empty(), state}}))
@@ -259,7 +271,7 @@ void keys_of(Fields& io, Condition& c, const Context& context) {
       saying<TimeReached>("time", c, context),
       saying<ApartBy>("distance", c, context),
       saying<CountOf>("count", c, context),
-      saying({"all_of", "Each of these conditions holds.", kTwoConditions}, Kind::kAll, c, context),
+      saying({"all_of", "All of these conditions hold.", kTwoConditions}, Kind::kAll, c, context),
       saying({"any_of", "At least one of these conditions holds.", kTwoConditions}, Kind::kAny, c,
              context),
       saying({"not", "This condition does not hold.", "{agent: NAME0, state: FULFILLED}"},
@@ -270,14 +282,15 @@ void keys_of(Fields& io, Condition& c, const Context& context) {
   if (Mapping* const in = io.reading()) c.place = in->place();
   if (!io.first_of(sayings)) {
     io.mistake("",
-               "must say a condition: time, distance, count, all_of, any_of, not; or state, area "
+               "must have a condition: time, distance, count, all_of, any_of, not; or state, area "
                "or battery of an agent, of any or all of a pattern");
     for (const Fields::Saying& one : sayings) io.reading()->has(one.key);
     for (const char* key : {"agent", "any", "all", "below", "above"}) io.reading()->has(key);
   }
   io.only(!io.is_writing() || c.hold > hal::Duration{}, {}, "", [&](Fields& held) {
-    held.duration({"for", "It must have held for so long without a break.", "5 s"}, kConditionTime,
-                  c.hold);
+    held.duration(
+        {"for", "The condition must have held for this long without interruption.", "5 s"},
+        kConditionTime, c.hold);
   });
 }
 

@@ -94,23 +94,23 @@ void check_processes(Fields& io, Group& group, std::size_t agents, bool is_given
   if (group.processes > most) {
     io.mistake("processes", fmt::format("{} is above the limit of {}", group.processes, most));
   } else if (group.inside && is_given && group.processes < most) {
-    io.mistake("processes", fmt::format("is {}, but with `inside` there is one for each of the {} "
-                                        "agents",
-                                        group.processes, most));
+    io.mistake("processes",
+               fmt::format("is {}, but with `inside` there is one for each of the {} agents",
+                           group.processes, most));
   }
   group.processes = group.inside ? most : std::min(group.processes, most);
 }
 
 void process_keys(Fields& io, Group& group, std::span<const AgentConfig> agents) {
   io.count({"processes",
-            "Controller processes that share the agents; at most one for each, and one for each "
-            "with `inside`.",
+            "Number of controller processes that share the agents, at most one per agent; with "
+            "`inside`, exactly one per agent.",
             "1"},
            1, hal::kLastAddress, group.processes);
   io.written_if(group.inside, [&](Fields& written) {
     written.flag({"inside",
-                  "Whether the controller runs inside its agent's network, where it may open "
-                  "sockets and DDS participants of its own on wlan0; one process for each agent.",
+                  "Whether the controller runs inside its agent's network, one process per agent, "
+                  "where it may open its own sockets and DDS participants on wlan0.",
                   "true"},
                  group.inside);
   });
@@ -144,35 +144,37 @@ void overrides_key(Fields& io, std::span<AgentConfig> agents,
   std::vector<Override> overrides;
   if (io.reading() == nullptr) overrides = overrides_of(agents, common);
   OverrideAgents some(agents);
-  io.list<Override>({"overrides", "Parameters for some of the agents; no agent twice.",
-                     "[{agents: NAME0, parameters: {help_at: 1 s}}]"},
-                    overrides, [&](Fields& one, Override& c) {
-                      const std::vector<AgentConfig*> fitting = some.agents_key(one, c.agents);
-                      parameters_key(
-                          one, {"parameters", "Those in which they differ.", "{help_at: 1 s}"},
-                          c.parameters);
-                      for (AgentConfig* const agent : fitting) {
-                        for (const ParameterText& parameter : c.parameters)
-                          set(agent->parameters, parameter);
-                      }
-                    });
+  io.list<Override>(
+      {"overrides", "Parameters of some of the agents. No agent may be in two entries.",
+       "[{agents: NAME0, parameters: {help_at: 1 s}}]"},
+      overrides, [&](Fields& one, Override& c) {
+        const std::vector<AgentConfig*> fitting = some.agents_key(one, c.agents);
+        parameters_key(
+            one, {"parameters", "Parameters with other values than the group's.", "{help_at: 1 s}"},
+            c.parameters);
+        for (AgentConfig* const agent : fitting) {
+          for (const ParameterText& parameter : c.parameters) set(agent->parameters, parameter);
+        }
+      });
 }
 
 }  // namespace
 
 void controller_keys(Fields& io, Group& group, std::span<AgentConfig> agents) {
-  io.needed_text(
-      {"program", "The controller: one of ours, one of yours in BARAKA_CONTROLLER_PATH, or teleop.",
-       "help_mote"},
-      group.program);
+  io.needed_text({"program",
+                  "The controller: one that comes with BARAKA, one of yours in "
+                  "BARAKA_CONTROLLER_PATH, or teleop.",
+                  "help_mote"},
+                 group.program);
   process_keys(io, group, agents);
   std::vector<ParameterText> common;
   if (io.reading() == nullptr && !agents.empty()) common = common_to(agents);
-  parameters_key(
-      io,
-      {"parameters", "Of the controller, for all agents; `baraka describe PROGRAM` shows them.",
-       "{help_at: 1 s}"},
-      common);
+  parameters_key(io,
+                 {"parameters",
+                  "Parameters of the controller for all agents of the group; `baraka describe "
+                  "PROGRAM` lists them.",
+                  "{help_at: 1 s}"},
+                 common);
   if (io.reading() != nullptr) {
     group.program_place = io.reading()->place("program");
     for (AgentConfig& agent : agents) {

@@ -22,24 +22,24 @@ constexpr Range kEventTime{0, hal::files::config::kLongestDuration};       // s
 constexpr Range kEventPeriod{1e-3, hal::files::config::kLongestDuration};  // s
 
 void keys_of(Fields& io, Periodically& c) {
-  io.needed({"every", "It happens again and again, with this period.", "30 s"}, kEventPeriod,
-            c.every);
+  io.needed({"every", "Period with which the event repeats.", "30 s"}, kEventPeriod, c.every);
   if (!io.is_writing()) c.from = c.every;
-  io.duration({"from", "With `every`: the first time.", "10 s", "`every`"}, kEventTime, c.from);
-  const bool has_end =
-      io.given({"until", "With `every`: not after this time.", "600 s", "the end of the run"},
-               kEventTime, c.until);
+  io.duration({"from", "With `every`: time of the first occurrence.", "10 s", "`every`"},
+              kEventTime, c.from);
+  const bool has_end = io.given(
+      {"until", "With `every`: latest time of an occurrence.", "600 s", "the end of the run"},
+      kEventTime, c.until);
   if (has_end && *c.until < c.from) io.mistake("until", "is before the first time");
-  io.given_count({"count", "With `every`: at most so often.", "5", "no limit"}, 1, 1'000'000'000,
-                 c.count);
+  io.given_count({"count", "With `every`: largest number of occurrences.", "5", "no limit"}, 1,
+                 1'000'000'000, c.count);
 }
 
 void keys_of(Fields& io, Whenever& c, Scenario& scenario) {
-  io.inside({"when", "It happens at the instant at which this condition begins to hold."},
+  io.inside({"when", "The event occurs at the instant at which this condition begins to hold."},
             [&](Fields& when) { keys_of(when, c.condition, scenario); });
   io.flag({"each_time",
-           "With `when`: whether it happens each time that the condition begins to hold, or only "
-           "once.",
+           "With `when`: whether the event occurs each time the condition begins to hold, or only "
+           "the first time.",
            "true"},
           c.each_time);
 }
@@ -47,7 +47,7 @@ void keys_of(Fields& io, Whenever& c, Scenario& scenario) {
 void when_keys(Fields& io, ScriptedEvent& event, Scenario& scenario) {
   constexpr const char* kOneOfThem = "must have either at or every or when";
   const auto at = [&](Fields& one) {
-    one.needed({"at", "When it happens; or `every`, or `when`.", "60 s"}, kEventTime,
+    one.needed({"at", "Time of the event; or give `every`, or `when`.", "60 s"}, kEventTime,
                as<AtTime>(event.when).at);
   };
   const auto every = [&](Fields& one) {
@@ -71,8 +71,8 @@ void keys_of(Fields& io, ScriptedEvent& event, Scenario& scenario) {
   if (io.reading() != nullptr) event.place = io.reading()->place();
   when_keys(io, event, scenario);
   io.list<ScriptedAction>(
-      {"do", "What happens, in this order, all at that instant.", "[{switch_off: NAME0}]",
-       hal::files::config::kMustBeGiven},
+      {"do", "What happens: actions in this order, all at the same instant.",
+       "[{switch_off: NAME0}]", hal::files::config::kMustBeGiven},
       event.actions, [&](Fields& one, ScriptedAction& action) { keys_of(one, action, scenario); });
   if (event.actions.empty()) io.mistake("do", "must have at least one action");
 }
@@ -97,11 +97,13 @@ void warn_of_never_added(Mapping& in, const Scenario& scenario) {
 }  // namespace
 
 void event_keys(Fields& io, Scenario& scenario) {
-  io.list_if_any<ScriptedEvent>(
-      {"events", "What happens to agents and to the air, and comes from nobody in the world.",
-       "[{at: 60 s, do: [{switch_off: NAME0}]}]"},
-      scenario.simulation.script,
-      [&](Fields& one, ScriptedEvent& event) { keys_of(one, event, scenario); });
+  io.list_if_any<ScriptedEvent>({"events",
+                                 "Scripted events: changes to agents and interference, which come "
+                                 "from outside the simulated world.",
+                                 "[{at: 60 s, do: [{switch_off: NAME0}]}]"},
+                                scenario.simulation.script, [&](Fields& one, ScriptedEvent& event) {
+                                  keys_of(one, event, scenario);
+                                });
   if (io.reading() != nullptr) warn_of_never_added(*io.reading(), scenario);
 }
 

@@ -18,22 +18,23 @@ constexpr std::int64_t kMostAgents = hal::kLastAddress;
 constexpr Range kDistance{0, 1e6};  // m
 
 void count_key(Fields& io, int& count) {
-  io.needed_count({"count", "Of the agents.", "10"}, 1, kMostAgents, count);
+  io.needed_count({"count", "Number of agents.", "10"}, 1, kMostAgents, count);
 }
 
 void yaw_key(Fields& io, double& yaw) {
-  io.number({"yaw", "Heading of all of them.", "90 deg"}, "rad", kAngle, yaw);
+  io.number({"yaw", "Heading of all agents, counter-clockwise from the x axis.", "90 deg"}, "rad",
+            kAngle, yaw);
 }
 
 void origin_key(Fields& io, hal::Vec2& origin) {
-  io.vec2({"origin", "Where the first one stands, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
+  io.vec2({"origin", "Position of the first agent, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
           origin);
 }
 
 void keys_of(Fields& io, GridLayout& c) {
-  io.needed_count({"columns", "Agents side by side along x.", "5"}, 1, kMostAgents, c.columns);
-  io.needed_count({"rows", "Agents side by side along y.", "5"}, 1, kMostAgents, c.rows);
-  io.needed({"spacing", "Between neighbours along x and y.", "[125 m, 125 m]"}, "m",
+  io.needed_count({"columns", "Number of agents along x.", "5"}, 1, kMostAgents, c.columns);
+  io.needed_count({"rows", "Number of agents along y.", "5"}, 1, kMostAgents, c.rows);
+  io.needed({"spacing", "Distance between neighbours along x and along y.", "[125 m, 125 m]"}, "m",
             {0, kCoordinate.high}, c.spacing);
   origin_key(io, c.origin);
   yaw_key(io, c.yaw);
@@ -41,36 +42,40 @@ void keys_of(Fields& io, GridLayout& c) {
 
 void keys_of(Fields& io, CircleLayout& c) {
   count_key(io, c.count);
-  io.needed({"radius", "Of the circle.", "5 m"}, "m", kDistance, c.radius);
-  io.vec2({"centre", "Of the circle, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, c.centre);
+  io.needed({"radius", "Radius of the circle.", "5 m"}, "m", kDistance, c.radius);
+  io.vec2({"centre", "Centre of the circle, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
+          c.centre);
   yaw_key(io, c.yaw);
 }
 
 void keys_of(Fields& io, LineLayout& c) {
   count_key(io, c.count);
-  io.needed({"spacing", "From one to the next.", "30 m"}, "m", kDistance, c.spacing);
+  io.needed({"spacing", "Distance from one agent to the next.", "30 m"}, "m", kDistance, c.spacing);
   origin_key(io, c.origin);
-  io.number({"heading", "Of the line, from x towards y.", "90 deg"}, "rad", kAngle, c.heading);
+  io.number({"heading", "Direction of the line, counter-clockwise from the x axis.", "90 deg"},
+            "rad", kAngle, c.heading);
   yaw_key(io, c.yaw);
 }
 
 void keys_of(Fields& io, UniformLayout& c) {
   count_key(io, c.count);
-  io.needed({"from", "A corner of the area, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, c.from);
-  io.needed({"to", "The opposite corner.", "[100 m, 100 m]"}, "m", kCoordinate, c.to);
-  io.number({"spacing", "Least distance of any two of the group.", "1 m"}, "m", kDistance,
-            c.spacing);
+  io.needed({"from", "Corner of the rectangle, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
+            c.from);
+  io.needed({"to", "Opposite corner of the rectangle, world frame.", "[100 m, 100 m]"}, "m",
+            kCoordinate, c.to);
+  io.number({"spacing", "Smallest distance between any two agents of the group.", "1 m"}, "m",
+            kDistance, c.spacing);
   yaw_key(io, c.yaw);
 }
 
 const std::array kLayouts{
-    alternative<Placement, GridLayout>({"grid", "Places them row by row."}),
+    alternative<Placement, GridLayout>({"grid", "Places the agents on a grid, row by row."}),
     alternative<Placement, CircleLayout>(
-        {"circle", "Places them on a circle, the first one east."}),
-    alternative<Placement, LineLayout>({"line", "Places them on a straight line."}),
-    alternative<Placement, UniformLayout>(
-        {"uniform",
-         "Places them at random in a rectangle, by the run's seed and the group's name."})};
+        {"circle", "Places the agents evenly on a circle, the first one in the direction of x."}),
+    alternative<Placement, LineLayout>({"line", "Places the agents on a straight line."}),
+    alternative<Placement, UniformLayout>({"uniform",
+                                           "Places the agents at random, uniformly in a rectangle; "
+                                           "depends on the run's seed and the group's name."})};
 
 /// Poses are not a mapping.
 void keys_of(Fields& /*io*/, std::vector<hal::Pose2>& /*poses*/) {}
@@ -126,8 +131,7 @@ struct Expand {
     const std::int64_t count = std::int64_t{c.columns} * c.rows;
     if (count > kMostAgents) {
       mistake.text = fmt::format(
-          "{} x {} are {} agents; network addresses have 16 bits, which is "
-          "enough for {}",
+          "{} x {} are {} agents; network addresses have 16 bits, which is enough for {}",
           c.columns, c.rows, count, kMostAgents);
       return poses;
     }

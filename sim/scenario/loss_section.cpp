@@ -14,19 +14,23 @@ namespace {
 constexpr Range kProbability{0, 1};
 
 void keys_of(Fields& io, radio::LossConfig::Link& link) {
-  io.needed_text({"from", "Name of the transmitter, or a pattern with *.", "NAME0"}, link.from);
-  io.needed_text({"to", "Name of the receiver, or a pattern with *.", "NAME*"}, link.to);
-  io.needed({"probability", "Likewise, on this link.", "0.5"}, "1", kProbability, link.probability);
+  io.needed_text({"from", "Name of the transmitting agent, or a pattern with *.", "NAME0"},
+                 link.from);
+  io.needed_text({"to", "Name of the receiving agent, or a pattern with *.", "NAME*"}, link.to);
+  io.needed({"probability", "Loss probability of a frame on this link.", "0.5"}, "1", kProbability,
+            link.probability);
 }
 
 }  // namespace
 
 void keys_of(Fields& io, radio::LossConfig& loss) {
-  io.number({"probability", "That a frame which the physics let in is lost at a receiver.", "0.05"},
-            "1", kProbability, loss.probability);
+  io.number(
+      {"probability",
+       "Probability that a receiver loses a frame that it would otherwise have received.", "0.05"},
+      "1", kProbability, loss.probability);
   io.list<radio::LossConfig::Link>(
       {"links",
-       "Links, each one way, with a probability of their own; of several that fit the last one "
+       "Directed links with their own probability; if several entries match a link, the last one "
        "counts.",
        "[{from: NAME0, to: NAME*, probability: 0.5}]"},
       loss.links, [](Fields& one, radio::LossConfig::Link& link) { keys_of(one, link); });

@@ -65,7 +65,8 @@ void take_address(Fields& io, const std::string& text, NetworkConfig& c) {
   const auto address = parsed(text);
   const std::string wrong =
       address ? complaint(*address)
-              : fmt::format("'{}' is no IPv4 address with its prefix, as 10.77.0.3/16", text);
+              : fmt::format("'{}' is not an IPv4 address with a prefix length, e.g. 10.77.0.3/16",
+                            text);
   if (!wrong.empty()) return io.mistake("address", wrong);
   c.address = address->address;
   c.prefix = address->prefix;
@@ -74,14 +75,15 @@ void take_address(Fields& io, const std::string& text, NetworkConfig& c) {
 /// The keys of the interface of the first agent.
 void interface_keys(Fields& io, NetworkConfig& c) {
   io.spelled({"address",
-              "IPv4 address of the first agent's interface and the bits of it that name the "
-              "network; the others count on.",
-              "10.77.0.3/16", "10.77.h.l/16 with the agent's address, 256 h + l"},
+              "IPv4 address of the first agent's interface and the prefix length of the network; "
+              "the other agents have the addresses that follow.",
+              "10.77.0.3/16", "10.77.h.l/16, where 256 h + l is the agent's address"},
              c, text_of, [&](const std::string& text, NetworkConfig& network) {
                take_address(io, text, network);
              });
-  io.count({"mtu", "Bytes of an IP packet on the interface; IPv6 needs 1280.", "1500"},
-           air::kLeastMtu, air::kMostMtu, c.mtu);
+  io.count(
+      {"mtu", "Largest IP packet on the interface, in bytes; IPv6 needs at least 1280.", "1500"},
+      air::kLeastMtu, air::kMostMtu, c.mtu);
   if (io.reading() != nullptr && c.mtu < air::kLeastMtuOfIpv6) {
     io.reading()->warn(
         "mtu", fmt::format("{} is below {}: there is no IPv6", c.mtu, air::kLeastMtuOfIpv6));
@@ -94,10 +96,10 @@ constexpr std::array kUnknownWaits = {
 
 void unknown_waits_key(Fields& io, NetworkConfig& c) {
   io.choice({"unknown_waits",
-             "In lock-step, a program that waits in a call that lock-step does not know: `fail`: "
-             "the run fails and names both; `allow`: simulated time goes on without the program "
-             "until the call ends, at a time that depends on this computer; the result carries a "
-             "warning and counts them.",
+             "In lock-step, what to do with a program that blocks in a system call that lock-step "
+             "does not support. fail: the run fails and names both; allow: simulated time goes on "
+             "without the program until the call returns, at a time that depends on this computer; "
+             "the result counts such calls and carries a warning.",
              "allow"},
             kUnknownWaits, c.unknown_waits);
 }
@@ -160,10 +162,9 @@ void network_keys(Fields& io, std::span<AgentConfig> agents) {
     last.address = first.address + static_cast<std::uint32_t>(&agent - agents.data());
     agent.network = last;
   }
-  const std::string wrong =
-      network_of(last) == network_of(first)
-          ? complaint(last)
-          : fmt::format("{} is not of the network any more", dotted(last.address));
+  const std::string wrong = network_of(last) == network_of(first)
+                                ? complaint(last)
+                                : fmt::format("{} is outside the network", dotted(last.address));
   if (!wrong.empty()) {
     io.mistake("address", fmt::format("{}, for the last of {} agents", wrong, agents.size()));
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "hal/node/devices/sensors.h"
 #include "hal/types/pattern.h"
@@ -20,6 +21,28 @@ const Names& names_of_odometry() {
   static const Names names{{"x", "m"},    {"y", "m"},    {"yaw", "rad"},
                            {"vx", "m/s"}, {"vy", "m/s"}, {"omega", "rad/s"}};
   return names;
+}
+
+/// "pose: x, y, yaw", if the values of that kind of sensor have names.
+template <class Sensor>
+void add_names(std::vector<std::string>& kinds) {
+  if constexpr (requires { Sensor::kValues; }) {
+    std::vector<std::string_view> names;
+    names.reserve(Sensor::kValues.size());
+    for (const auto& value : Sensor::kValues) names.push_back(value.name);
+    kinds.push_back(fmt::format("{}: {}", Sensor::kKind, fmt::join(names, ", ")));
+  }
+}
+
+std::string names_by_kind() {
+  std::vector<std::string_view> of_odometry;
+  of_odometry.reserve(names_of_odometry().size());
+  for (const auto& [name, unit] : names_of_odometry()) of_odometry.push_back(name);
+  std::vector<std::string> kinds{fmt::format("odometry: {}", fmt::join(of_odometry, ", "))};
+  [&]<class... All>(std::type_identity<std::variant<All...>> /*all*/) {
+    (add_names<All>(kinds), ...);
+  }(std::type_identity<hal::node::devices::SensorDescription>{});
+  return fmt::format("{}", fmt::join(kinds, "; "));
 }
 
 void add_readings(const hal::Channel& channel, std::vector<Observable>& to) {
@@ -125,20 +148,18 @@ std::vector<ObservableKind> observable_kinds() {
         {fmt::format("{}.AGENT.{}{}", one.domain, one.name, one.is_family ? ".NUMBER" : ""),
          std::string(one.unit), std::string(one.meaning)});
   }
-  kinds.push_back({"agents.AGENT.battery", "1", "state of charge by its gauge, 0 to 1"});
+  kinds.push_back({"agents.AGENT.battery", "1", "state of charge that its gauge shows, 0 to 1"});
   for (const TallyKind& one : tally_kinds()) {
     kinds.push_back({fmt::format("{}.AGENT.{}", one.domain, one.name), std::string(one.unit),
                      std::string(one.meaning)});
   }
-  kinds.push_back(
-      {"sensors.AGENT.CHANNEL.VALUE", "",
-       "a value of a reading, as of the agent's control instants, in the channel's "
-       "unit; VALUE is a number from 0 or, of odometry: x, y, yaw, vx, vy, omega; pose: "
-       "x, y, yaw; battery: charge, voltage, current, energy, capacity; imu: rate_x to rate_z, "
-       "force_x to force_z; bumper: touched"});
+  kinds.push_back({"sensors.AGENT.CHANNEL.VALUE", "",
+                   "a value of the latest reading at a control instant of the agent, in the unit "
+                   "of the channel; VALUE is its index from 0, or a name. Names by kind: " +
+                       names_by_kind()});
   kinds.push_back({"controllers.AGENT.NAME", "",
-                   "what the agent's controller records under that name, in its unit: `baraka "
-                   "describe CONTROLLER` lists those that it declares"});
+                   "value that the agent's controller records under this name, in the unit that it "
+                   "declares; `baraka describe CONTROLLER` lists declared values"});
   std::ranges::stable_sort(kinds, {}, [](const ObservableKind& kind) {
     const std::vector<std::string> domains = observable_domains();
     return std::ranges::find(domains, kind.name.substr(0, kind.name.find('.'))) - domains.begin();

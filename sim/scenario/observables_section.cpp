@@ -28,16 +28,17 @@ using AskedFor = std::map<std::string, std::string>;
 void when_keys(Fields& io, ObservableRequest& c) {
   std::optional<bool> on_change;
   if (!c.every) on_change = true;
-  io.given_choice({"on",
-                   "Look at it when it changes: what only happens, as a delay or what a controller "
-                   "records, each time; all else at control instants, if it is not as before.",
-                   "change"},
-                  kOn, on_change);
+  io.given_choice(
+      {"on",
+       "change: record each change. Values of single occurrences, such as a delay or a value that "
+       "a controller records, are recorded each time; all others are compared at control instants.",
+       "change"},
+      kOn, on_change);
   hal::Duration every = c.every.value_or(hal::Duration{});
-  io.only(!on_change, {"on", {"absent"}}, "cannot stand beside on", [&](Fields& at_times) {
+  io.only(!on_change, {"on", {"absent"}}, "cannot be combined with on", [&](Fields& at_times) {
     at_times.duration({"every",
-                       "Look at it at time 0 and then after each period, when all that happens "
-                       "at that instant has happened.",
+                       "Sampling period: the value is read at time 0 and after each period, when "
+                       "all events of that instant have been processed.",
                        "1 s"},
                       kEvery, every);
   });
@@ -45,13 +46,16 @@ void when_keys(Fields& io, ObservableRequest& c) {
 }
 
 void histogram_keys(Fields& io, ObservableRequest& c) {
-  io.count({"bins", "Of a histogram; without `range` rounded up to an even number.", "50"}, 2,
-           10'000, c.bins);
+  io.count(
+      {"bins", "Number of bins of the histogram; without `range`, rounded up to an even number.",
+       "50"},
+      2, 10'000, c.bins);
   std::optional<hal::Vec2> range;
   if (c.range) range = {c.range->first, c.range->second};
   io.given({"range",
-            "Of a histogram, in the unit of the value: from, and below. Values outside are counted "
-            "as such. Without it the range is found, and grows.",
+            "Range of the histogram in the unit of the value: lower bound included, upper bound "
+            "excluded. Values outside are counted separately. Without it the range adapts to the "
+            "values.",
             "[0, 10]", "found"},
            "1", kAny, range);
   if (range) c.range = {range->x, range->y};
@@ -59,25 +63,28 @@ void histogram_keys(Fields& io, ObservableRequest& c) {
 }
 
 void observable_keys(Fields& io, ObservableRequest& c) {
-  io.needed_text({"name",
-                  "Which: DOMAIN.AGENT.VALUE, in agent and value with `*` for any letters and `?` "
-                  "for one.",
-                  "agents.r*.speed"},
-                 c.name);
+  io.needed_text(
+      {"name",
+       "DOMAIN.AGENT.VALUE; AGENT and VALUE may contain `*` for any characters and `?` for one.",
+       "agents.r*.speed"},
+      c.name);
   when_keys(io, c);
   io.choice({"as",
-             "What is kept besides count, mean, deviation, least, greatest and last value: each "
-             "value; a histogram; quantiles, exact up to 10000 values and then to a thousandth of "
-             "the rank; or nothing.",
+             "What is stored besides count, mean, standard deviation, least, greatest and last "
+             "value. samples: each value; histogram; quantiles: exact up to 10000 values, beyond "
+             "that to a thousandth of the rank; counter: nothing more.",
              "samples"},
             kKeeps, c.keeps);
   io.only(c.keeps == Keeps::kHistogram, {"as", {"histogram"}}, "needs `as: histogram`",
           [&](Fields& histogram) { histogram_keys(histogram, c); });
-  io.only(
-      c.keeps == Keeps::kSamples, {"as", {"samples"}}, "needs `as: samples`", [&](Fields& samples) {
-        samples.count({"most", "Samples kept of a value of an agent: the first so many.", "100000"},
-                      1, 1'000'000'000, c.most);
-      });
+  io.only(c.keeps == Keeps::kSamples, {"as", {"samples"}}, "needs `as: samples`",
+          [&](Fields& samples) {
+            samples.count(
+                {"most",
+                 "Largest number of samples stored per value and agent; later ones are not stored.",
+                 "100000"},
+                1, 1'000'000'000, c.most);
+          });
 }
 
 /// The values in a domain that agents of the pattern have; `matching` receives the agents.
@@ -157,8 +164,8 @@ void observables_keys(Fields& io, Scenario& scenario) {
   AskedFor taken;
   io.list_if_any<ObservableRequest>(
       {"observables",
-       "Values that the results follow through the run, beyond what they have in any case: "
-       "`baraka describe observables` lists them.",
+       "Further values to record over the run, besides those that every result has; `baraka "
+       "describe observables` lists them.",
        "[{name: agents.*.x, every: 1 s}]"},
       scenario.record.observables, [&](Fields& one, ObservableRequest& request) {
         observable_keys(one, request);

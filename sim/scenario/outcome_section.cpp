@@ -38,11 +38,13 @@ void condition_key(Fields& io, const Key& key, std::optional<Condition>& value,
 void state_keys(Fields& io, EndCondition& c, Scenario& scenario) {
   std::string name = c.agent ? declared(*c.agent, scenario).name : "";
   const bool is_read = io.given_text(
-      {"agent", "The run ends when this agent's controller enters a state.", "NAME0"}, name);
+      {"agent", "Ends the run when this agent's controller enters `state`.", "NAME0"}, name);
   if (is_read) c.agent = agent_named(*io.reading(), "agent", name, scenario);
   io.only(c.agent.has_value(), {"agent", {"there"}}, "needs agent", [&](Fields& of_agent) {
-    of_agent.needed_text({"state", "That state, as the controller calls it.", "FULFILLED"},
-                         c.state);
+    of_agent.needed_text(
+        {"state", "State that ends the run, by the name that the controller gives it.",
+         "FULFILLED"},
+        c.state);
   });
   if (is_read)
     scenario.awaited.push_back({io.reading()->place("state"), "end.state", {*c.agent}, c.state});
@@ -51,20 +53,21 @@ void state_keys(Fields& io, EndCondition& c, Scenario& scenario) {
 /// What the end waits for: a state, a condition or, without both, a time.
 void end_keys(Fields& io, EndCondition& c, Scenario& scenario) {
   state_keys(io, c, scenario);
-  io.only(!c.agent, {"agent", {"absent"}}, "cannot stand beside agent", [&](Fields& other) {
+  io.only(!c.agent, {"agent", {"absent"}}, "cannot be combined with agent", [&](Fields& other) {
     condition_key(
         other,
-        {"when", "The run ends when this condition begins to hold: as `when` of `events`.",
+        {"when",
+         "Ends the run when this condition begins to hold; same keys as `when` of `events`.",
          kConditionExample},
         c.when, scenario);
-    other.only(!c.when, {"when", {"absent"}}, "cannot stand beside when", [&](Fields& time) {
-      time.needed({"at", "The run ends at this time.", "60 s"}, kEndTime, c.after);
+    other.only(!c.when, {"when", {"absent"}}, "cannot be combined with when", [&](Fields& time) {
+      time.needed({"at", "Ends the run at this simulated time.", "60 s"}, kEndTime, c.after);
     });
   });
   io.only(c.agent || c.when, {"at", {"absent"}}, "needs agent or when", [&](Fields& later) {
-    later.duration({"after", "So much later.", "1 s"}, kEndTime, c.after);
+    later.duration({"after", "Time by which the end is delayed.", "1 s"}, kEndTime, c.after);
   });
-  io.needed_text({"result", "What the run is then called.", "done"}, c.result);
+  io.needed_text({"result", "Name of the result with which the run then ends.", "done"}, c.result);
 }
 
 /// Warns of an expected result that the run cannot end with.
@@ -84,7 +87,7 @@ void check_result(Mapping& in, const ExpectedResult& expected, const Scenario& s
 void result_key(Fields& io, Expectation& c, const Scenario& scenario) {
   const auto* const old = std::get_if<ExpectedResult>(&c.condition);
   ExpectedResult expected = old == nullptr ? ExpectedResult{} : *old;
-  if (!io.given_text({"result", "The run must end with this result.", "done"}, expected.result))
+  if (!io.given_text({"result", "Result with which the run must end.", "done"}, expected.result))
     return;
   c.condition = expected;
   check_result(*io.reading(), expected, scenario);
@@ -98,10 +101,9 @@ void find_whose(Mapping& in, const Scenario& scenario, ExpectedDistance& expecte
   if (!is_pattern) {
     expected.which = {agent_named(in, "distance", whose, scenario)};
   } else if (expected.entered.empty()) {
-    in.mistake("distance",
-               fmt::format("'{}' is a pattern: 'entered: STATE' must say which of its agents is "
-                           "meant, the last one to enter that state",
-                           whose));
+    in.mistake("distance", fmt::format("'{}' is a pattern: 'entered: STATE' must say which of its "
+                                       "agents is meant, the last one to enter that state",
+                                       whose));
   } else if (expected.which.empty()) {
     in.mistake("distance", fmt::format("'{}' matches no agent", whose));
   }
@@ -127,17 +129,18 @@ void distance_keys(Fields& io, Expectation& c, Scenario& scenario) {
   Mapping* const in = io.reading();
   const bool is_there = in != nullptr ? in->has("distance") : old != nullptr;
   io.written_if(is_there, [&](Fields& written) {
-    written.texts(
-        {"distance", "Two agents whose true distance at the end is judged.", "[NAME0, NAME1]"},
-        names);
+    written.texts({"distance", "Two agents whose true distance at the end of the run is checked.",
+                   "[NAME0, NAME1]"},
+                  names);
   });
   io.only(is_there, {"distance", {"there"}}, "needs distance", [&](Fields& of_distance) {
-    of_distance.needed({"below", "It must be smaller.", "10 m"}, "m", {0, 1e9},
+    of_distance.needed({"below", "The distance must be less than this.", "10 m"}, "m", {0, 1e9},
                        expected.below.value);
-    of_distance.given_text(
-        {"entered", "Of the agents of a pattern, the last one to enter this state is meant.",
-         "FULFILLED"},
-        expected.entered);
+    of_distance.given_text({"entered",
+                            "If a name in `distance` is a pattern, it means the agent that was the "
+                            "last to enter this state.",
+                            "FULFILLED"},
+                           expected.entered);
   });
   if (in == nullptr || !is_there) return;
   find_agents(*in, names, expected, scenario);
@@ -152,9 +155,10 @@ void asked_key(Fields& io, bool at_some_time, Expectation& c, Scenario& scenario
   condition_key(
       io,
       {at_some_time ? "held" : "holds",
-       at_some_time ? "This condition must have held at some time of the run: as `when` of "
-                      "`events`."
-                    : "This condition must hold at the end of the run: as `when` of `events`.",
+       at_some_time
+           ? "Condition that must have held at some time of the run; same keys as `when` of "
+             "`events`."
+           : "Condition that must hold at the end of the run; same keys as `when` of `events`.",
        kConditionExample},
       condition, scenario);
   if (io.reading() == nullptr || !condition) return;
@@ -185,14 +189,15 @@ void expectation_keys(Fields& io, Expectation& c, Scenario& scenario) {
 
 void outcome_keys(Fields& io, Scenario& scenario) {
   io.list<EndCondition>(
-      {"end", "When the run ends; the first condition that is met counts. At least one.",
+      {"end", "Conditions that end the run; the first one that is met counts. At least one.",
        "[{at: 60 s, result: done}]", hal::files::config::kMustBeGiven},
       scenario.simulation.ends,
       [&](Fields& one, EndCondition& end) { end_keys(one, end, scenario); });
   if (scenario.simulation.ends.empty())
     io.mistake("end", "must have at least one condition, e.g. {at: 60 s, result: timeout}");
   io.list<Expectation>(
-      {"expect", "What must hold at the end, else the exit status is 3.", "[{result: done}]"},
+      {"expect", "What must be true at the end of the run; otherwise the exit status is 3.",
+       "[{result: done}]"},
       scenario.expectations,
       [&](Fields& one, Expectation& expectation) { expectation_keys(one, expectation, scenario); });
 }

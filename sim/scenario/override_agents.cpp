@@ -7,7 +7,7 @@
 namespace sim::scenario {
 
 std::vector<agents::AgentConfig*> OverrideAgents::agents_key(Fields& io, std::string& pattern) {
-  io.needed_text({"agents", "Name of the agent, or a pattern with * of several.", "NAME0"},
+  io.needed_text({"agents", "Name of an agent, or a pattern with * for several.", "NAME0"},
                  pattern);
   if (io.reading() == nullptr) return {};
   std::vector<agents::AgentConfig*> fitting;

@@ -14,12 +14,13 @@ namespace {
 void pose_keys(Fields& io, Placement& placement, std::vector<std::string>& places) {
   auto* const poses = std::get_if<std::vector<hal::Pose2>>(&placement);
   io.list<hal::Pose2>(
-      {"poses", "Places them one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]",
+      {"poses", "Places the agents one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]",
        hal::files::config::kMustBeGiven},
       *poses, [&](Fields& one, hal::Pose2& pose) {
-        one.needed({"x", "World frame.", "8 m"}, "m", kCoordinate, pose.x);
-        one.needed({"y", "World frame.", "8 m"}, "m", kCoordinate, pose.y);
-        one.number({"yaw", "Heading, from x towards y.", "20 deg"}, "rad", kAngle, pose.theta);
+        one.needed({"x", "x coordinate, world frame.", "8 m"}, "m", kCoordinate, pose.x);
+        one.needed({"y", "y coordinate, world frame.", "8 m"}, "m", kCoordinate, pose.y);
+        one.number({"yaw", "Heading, counter-clockwise from the x axis.", "20 deg"}, "rad", kAngle,
+                   pose.theta);
         if (one.reading() != nullptr) places.push_back(one.reading()->place());
       });
   if (poses->empty())
@@ -31,7 +32,7 @@ void pose_keys(Fields& io, Placement& placement, std::vector<std::string>& place
 void placement_keys(Fields& io, Placement& placement, std::vector<std::string>& places) {
   const bool is_layout =
       layout_keys(io, placement, [&](Fields& listed) { pose_keys(listed, placement, places); });
-  if (is_layout) io.unused("poses", "cannot stand beside " + name_of(placement));
+  if (is_layout) io.unused("poses", "cannot be combined with " + name_of(placement));
 }
 
 std::vector<hal::Pose2> poses_of(Mapping& in, const Placement& placement, std::uint64_t seed,
@@ -47,9 +48,9 @@ std::vector<hal::Pose2> poses_of(Mapping& in, const Placement& placement, std::u
 
 void name_key(Fields& io, std::string& pattern) {
   io.text({"name",
-           "Of the agents: letters, digits, '_' and '-' after a letter, with {} for their numbers "
-           "from 0.",
-           "'m{}'", "the group's with {} behind it"},
+           "Names of the agents: letters, digits, '_' and '-' after a letter, with {} for the "
+           "agent's number in the group, from 0.",
+           "'m{}'", "the group's name followed by {}"},
           pattern);
 }
 

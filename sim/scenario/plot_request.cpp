@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
+
+#include "hal/files/config/document_limits.h"
+#include "hal/files/config/yaml.h"
 
 namespace sim::scenario {
 namespace {
@@ -54,41 +56,18 @@ std::vector<std::string> observables_in(const std::map<std::string, std::string>
   }
 }
 
-namespace {
-
-/// A line "key: value" of a resolved scenario, which may begin a list item.
-struct KeyLine {
-  std::size_t indent = 0;
-  bool is_item = false;
-  std::string key, value;
-};
-
-std::optional<KeyLine> key_line(const std::string& line) {
-  const std::size_t begin = line.find_first_not_of(" -");
-  if (begin == std::string::npos) return std::nullopt;
-  const std::size_t colon = line.find(':', begin);
-  if (colon == std::string::npos) return std::nullopt;
-  const std::size_t indent = line.find_first_not_of(' ');
-  KeyLine found{indent, line[indent] == '-', line.substr(begin, colon - begin), {}};
-  const std::size_t first = line.find_first_not_of(" \"'", colon + 1);
-  if (first == std::string::npos) return found;
-  found.value = line.substr(first, line.find_last_not_of(" \"'") + 1 - first);
-  return found;
-}
-
-}  // namespace
-
 std::vector<std::string> observables_of(const std::string& resolved) {
-  std::istringstream lines(resolved);
+  using hal::files::config::Node;
+  std::vector<hal::files::config::Problem> problems;
+  std::size_t values_left = hal::files::config::kMostValues;
+  const Node scenario = hal::files::config::parse_yaml(resolved, {}, problems, values_left);
+  const auto* const record = scenario.find("record");
+  const auto* const list = record == nullptr ? nullptr : record->value.find("observables");
   std::vector<std::string> names;
-  std::string line, section, list;
-  while (std::getline(lines, line)) {
-    const auto found = key_line(line);
-    if (!found) continue;
-    if (found->indent == 0) section = found->key;
-    if (found->indent == 2 && !found->is_item) list = found->key;
-    const bool is_in_list = section == "record" && list == "observables";
-    if (is_in_list && found->key == "name") names.push_back(found->value);
+  if (list == nullptr) return names;
+  names.reserve(list->value.items.size());
+  for (const Node& item : list->value.items) {
+    if (const auto* const name = item.find("name")) names.push_back(name->value.text);
   }
   return names;
 }

@@ -19,7 +19,9 @@ constexpr Range kStart{0, hal::files::config::kLongestDuration};  // s
 constexpr std::string_view kLogEnding = ".log";
 
 void environment_key(Fields& io, Program& c) {
-  const Key key{"environment", "Variables beside those that `baraka run` has; with the same words.",
+  const Key key{"environment",
+                "Environment variables besides those of `baraka run`; {agent}, {address}, {number} "
+                "and {results} stand for the same as in `command`.",
                 "{CYCLONEDDS_URI: file:///etc/cyclone.xml}"};
   io.own(
       key, {.kind = hal::files::config::Form::Kind::kMapping},
@@ -41,12 +43,12 @@ void environment_key(Fields& io, Program& c) {
 
 void shown_key(Fields& io, Program& c) {
   io.written_if(!c.shown.empty(), [&](Fields& written) {
-    written.texts(
-        {"shown",
-         "Files and folders of this computer's /tmp, /run and /dev/shm that the program needs: "
-         "each agent has its own of these three, empty at first. Absolute; with the same words.",
-         "[/tmp/.X11-unix]", "[]"},
-        c.shown);
+    written.texts({"shown",
+                   "Files and folders below /tmp, /run and /dev/shm of this computer that the "
+                   "program needs: each agent has its own of these three, empty at first. Absolute "
+                   "paths; {agent} and so on stand for the same as in `command`.",
+                   "[/tmp/.X11-unix]", "[]"},
+                  c.shown);
   });
   for (const std::string& path : c.shown) {
     if (!path.starts_with('/') && !path.starts_with(kResultsWord))
@@ -59,8 +61,8 @@ void log_key(Fields& io, Program& c, const Group& group) {
     c.log = fmt::format("{}.{}{}", kAgentWord, c.name.empty() ? "x" : c.name, kLogEnding);
   }
   io.text({"log",
-           "File in the results' folder for what the program says; with {agent} or {number} where "
-           "the group has several agents.",
+           "File in the results folder for the program's output; must contain {agent} or {number} "
+           "if the group has several agents.",
            "'{agent}.talker.log'", "'{agent}.NAME.log'"},
           c.log);
   // Only the placeholders that identify the agent are allowed in a log's name.
@@ -74,10 +76,7 @@ void log_key(Fields& io, Program& c, const Group& group) {
 }
 
 void check_name(Fields& io, const Program& program, const Group& group) {
-  if (!hal::files::description::may_be_named(program.name)) {
-    io.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-' after a letter",
-                                   program.name));
-  }
+  hal::files::description::check_name(io, program.name);
   if (std::ranges::count(group.programs, program.name, &Program::name) > 1) {
     io.mistake("name", fmt::format("another program of the group is called '{}'", program.name));
   }
@@ -85,26 +84,26 @@ void check_name(Fields& io, const Program& program, const Group& group) {
 
 void program_keys(Fields& io, Program& c, const Group& group) {
   if (io.reading() != nullptr) c.place = io.reading()->place();
-  io.needed_text({"name",
-                  "Of the program, for messages and results: letters, digits, '_' and '-' after a "
-                  "letter.",
-                  "talker"},
-                 c.name);
+  io.needed_text(
+      {"name",
+       "Name of the program in messages and results: letters, digits, '_' and '-' after a letter.",
+       "talker"},
+      c.name);
   check_name(io, c, group);
   io.texts({"command",
-            "The program, looked for in PATH, and its arguments. {agent} stands for the agent's "
+            "The program, searched for in PATH, and its arguments. {agent} stands for the agent's "
             "name, {address} for its IPv4 address, {number} for its number in the group from 0, "
-            "{results} for the folder of the results.",
+            "{results} for the results folder.",
             "[ping, -c, 10, 10.77.0.2]", hal::files::config::kMustBeGiven},
            c.command);
   if (c.command.empty()) io.mistake("command", "no program: give it and its arguments");
-  io.duration({"start", "Simulated time at which it starts.", "2 s"}, kStart, c.start);
+  io.duration({"start", "Simulated time at which the program starts.", "2 s"}, kStart, c.start);
   environment_key(io, c);
   shown_key(io, c);
   io.choice({"on_exit",
-             "What its end does to the run: nothing; `fail`: the run fails unless it ended with "
-             "status 0; `end`: the same, and with status 0 the run ends with the program's name as "
-             "its result.",
+             "Effect of the program's end on the run. ignore: none; fail: the run fails unless the "
+             "exit status is 0; end: likewise, and with exit status 0 the run ends with the "
+             "program's name as its result.",
              "end"},
             kEnds, c.on_exit);
   log_key(io, c, group);
@@ -114,8 +113,7 @@ void program_keys(Fields& io, Program& c, const Group& group) {
 
 void programs_keys(Fields& io, Group& group) {
   io.list_if_any<Program>(
-      {"programs",
-       "Programs that run inside each agent of the group, with sockets on its `network`.",
+      {"programs", "Programs that run inside each agent of the group and use its `network`.",
        "[{name: pinger, command: [ping, -c, 10, 10.77.0.2]}]"},
       group.programs, [&](Fields& one, Program& program) { program_keys(one, program, group); });
 }

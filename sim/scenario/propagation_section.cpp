@@ -24,8 +24,8 @@ void chain_keys(Fields& io, std::vector<PathLossConfig>& chain) {
   if (!io.is_writing()) chain.clear();
   io.list<PathLossConfig>(
       {"propagation",
-       "What the way from antenna to antenna does to a frame's power, one after the other; one of "
-       "the entries must be a law of distance. Without it: `power_law`.",
+       "Models of the propagation from antenna to antenna, applied one after the other. Exactly "
+       "one must be a law of distance. Default: `power_law`.",
        "[{model: log_distance, exponent: 3}, {model: shadowing, sigma: 4 dB}]"},
       chain, [&](Fields& one, PathLossConfig& law) {
         if (std::holds_alternative<radio::ForeignLawConfig>(law)) {
@@ -34,7 +34,7 @@ void chain_keys(Fields& io, std::vector<PathLossConfig>& chain) {
         }
         using Kind = radio::PathLossKind;
         static const std::string meaning =
-            fmt::format("Laws of distance: {}. Differing between links: {}. Fading in time: {}.",
+            fmt::format("Laws of distance: {}. Constant for each link: {}. Fading in time: {}.",
                         radio::models_of(Kind::kLawOfDistance), radio::models_of(Kind::kOfLinks),
                         radio::models_of(Kind::kFading));
         one.kinds({"model", meaning, "two_ray_ground"}, kModels, law,

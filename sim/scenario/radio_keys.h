@@ -38,39 +38,48 @@ inline constexpr std::int64_t kMaxBits = 100'000;  // five times the longest MPD
 inline constexpr std::int64_t kMaxWindow = 32'767;
 
 inline void antenna_height(Fields& io, hal::Metres& height) {
-  io.quantity({"antenna_height",
-               "Of the antennas above the origin of their body, the ground it stands on.", "1.5 m"},
-              "m", kAntennaHeight, height);
+  io.quantity(
+      {"antenna_height",
+       "Height of the antennas above the origin of their body, which is on the ground.", "1.5 m"},
+      "m", kAntennaHeight, height);
 }
 
 inline void keys_of(Fields& io, radio::PropagationConfig& c) {
-  io.quantity(
-      {"wavelength",
-       "Of the carrier on the radio's `channel`. Where it is not given, that of the profile "
-       "is for channel 1.",
-       "0.125 m"},
-      "m", {1e-3, 10}, c.wavelength);
-  io.number({"path_loss_exponent", "Of the power law (2: free space, Friis), reference 1 m.", "2"},
+  io.quantity({"wavelength",
+               "Wavelength of the carrier on the radio's `channel`. The default of a profile is "
+               "for channel 1.",
+               "0.125 m"},
+              "m", {1e-3, 10}, c.wavelength);
+  io.number({"path_loss_exponent",
+             "Exponent of the model `power_law`, with free space up to the reference distance of 1 "
+             "m; 2: free space everywhere (Friis).",
+             "2"},
             "1", {1, 8}, c.path_loss_exponent);
-  io.flag(
-      {"propagation_delay", "Whether waves take time: distance over the speed of light.", "true"},
-      c.propagation_delay);
+  io.flag({"propagation_delay",
+           "Whether signals travel at the speed of light; if not, they arrive at once.", "true"},
+          c.propagation_delay);
   antenna_height(io, c.antenna_height);
-  io.quantity({"antenna_gain", "Of the antennas, to all sides, sending and receiving.", "2 dB"},
-              "dB", kAntennaGain, c.antenna_gain);
-  io.flag(
-      {"obstacles",
-       "Whether walls attenuate, each as its `radio_loss` says, and bodies as said here.", "true"},
-      c.obstacles);
+  io.quantity(
+      {"antenna_gain",
+       "Gain of the antennas, the same in all directions, for transmission and reception.", "2 dB"},
+      "dB", kAntennaGain, c.antenna_gain);
+  io.flag({"obstacles",
+           "Whether walls and bodies attenuate: walls by their `radio_loss`, bodies by the two "
+           "keys below.",
+           "true"},
+          c.obstacles);
   io.quantity({"body_loss_per_crossing",
-               "With `obstacles: true`: of each body of a robot or mote on the way, the two ends' "
-               "own apart. Looked at when a frame starts.",
+               "With `obstacles: true`: loss through each body of a robot or mote between the two "
+               "agents, whose own bodies do not count. Computed at the start of a frame.",
                "5 dB"},
               "dB", kObstacleLoss, c.body_loss.per_crossing);
-  io.number({"body_loss_per_metre", "The same for each metre inside a body.", "10 dB/m"}, "dB/m",
-            kObstacleLoss, c.body_loss.per_metre);
+  io.number({"body_loss_per_metre",
+             "With `obstacles: true`: further loss for each metre inside such a body.", "10 dB/m"},
+            "dB/m", kObstacleLoss, c.body_loss.per_metre);
   io.quantity(
-      {"interference_floor", "Weaker frames do not exist; at most the sensitivity.", "-101 dBm"},
+      {"interference_floor",
+       "Frames received below this power are ignored, even as interference; at most `sensitivity`.",
+       "-101 dBm"},
       "dBm", kPowerLevel, c.interference_floor);
 }
 
@@ -78,111 +87,132 @@ inline void keys_of(Fields& io, radio::ReceiverConfig& c) {
   const auto level = [&io](const Key& key, Range range, hal::Dbm& value) {
     io.quantity(key, "dBm", range, value);
   };
-  level({"sensitivity", "Weaker frames cannot be received.", "-85 dBm"}, kSensitivity,
-        c.sensitivity);
-  level({"noise_floor", "Thermal noise and noise figure in the bandwidth.", "-110 dBm"}, kNoise,
-        c.noise_floor);
-  level({"cca_threshold", "Carrier sense: a frame of this power makes the medium busy.", "-85 dBm"},
+  level({"sensitivity", "Lowest received power at which a frame can be decoded.", "-85 dBm"},
+        kSensitivity, c.sensitivity);
+  level({"noise_floor",
+         "Power of thermal noise in the bandwidth, with the receiver's noise figure.", "-110 dBm"},
+        kNoise, c.noise_floor);
+  level({"cca_threshold",
+         "Carrier sense: a single frame received at this power or more makes the medium busy.",
+         "-85 dBm"},
         kPowerLevel, c.cca_threshold);
-  level(
-      {"energy_detection", "Carrier sense: so much power in sum makes the medium busy.", "-62 dBm"},
-      kPowerLevel, c.energy_detection);
+  level({"energy_detection",
+         "Carrier sense: total received power, decodable or not, that makes the medium busy.",
+         "-62 dBm"},
+        kPowerLevel, c.energy_detection);
   io.quantity({"min_sinr",
-               "Lowest usable signal to interference and noise: of the whole frame with "
-               "`error_model: mobility_framework`, of the preamble with `dsss`.",
+               "Lowest usable ratio of signal to interference and noise (SINR): of the whole frame "
+               "with `error_model: mobility_framework`, of the preamble with `dsss`.",
                "4 dB"},
               "dB", {-50, 50}, c.min_sinr);
   io.duration({"preamble_window",
-               "The receiver takes the strongest frame that starts within this time of the "
-               "first; 0 s: the first.",
+               "The receiver synchronises to the strongest of the frames that start within this "
+               "time after the first one; 0 s: to the first.",
                "4 us"},
               {0, 1e-3}, c.preamble_window);
-  io.optional(
-      {"capture_margin",
-       "A frame that much stronger takes the receiver over within the `capture_window`.", "10 dB"},
-      "dB", 0, c.capture_margin);
+  io.optional({"capture_margin",
+               "A frame that is stronger by this margin captures the receiver within "
+               "`capture_window`; none: no capture.",
+               "10 dB"},
+              "dB", 0, c.capture_margin);
   io.duration(
       {"capture_window",
-       "How long after it has synchronised to a frame the receiver can be taken over.", "16 us"},
+       "Time after synchronising to a frame during which another one can capture the receiver.",
+       "16 us"},
       {0, 1e-2}, c.capture_window);
 }
 
 inline void error_model(Fields& io, radio::ErrorModel& model) {
-  io.choice({"error_model", "When a frame is lost to noise and interference.", "dsss"},
-            kErrorModels, model);
+  io.choice(
+      {"error_model",
+       "Which packet error model decides whether noise and interference destroy a frame.", "dsss"},
+      kErrorModels, model);
 }
 
 inline void data_rate(Fields& io, hal::BitsPerSecond& rate) {
   io.quantity({"data_rate",
-               "Of data frames; where waves are modelled 1, 2, 5.5 or 11 Mb/s, with `ieee80211g` "
-               "also 6, 9, "
-               "12, 18, 24, 36, 48 or 54 Mb/s.",
+               "Rate of unicast data frames: 1, 2, 5.5 or 11 Mb/s; with `ieee80211g` also 6, 9, "
+               "12, 18, 24, 36, 48 or 54 Mb/s; with `disk` any.",
                "11 Mb/s"},
               "b/s", kBitRate, rate);
 }
 
 inline void keys_of(Fields& io, radio::PhyConfig& c) {
   io.count({"channel",
-            "Its number in 2.4 GHz. Agents on different ones neither hear nor disturb each other; "
-            "what leaks into the next channels is not modelled.",
+            "Number of the channel in the 2.4 GHz band. Agents on different channels neither "
+            "receive nor disturb each other; leakage into adjacent channels is not modelled.",
             "6"},
            1, radio::kChannels, c.channel);
   data_rate(io, c.data_rate);
-  io.quantity({"control_rate",
-               "Of RTS, with `mobility_framework` also of CTS and ACK; one of the rates of data.",
-               "2 Mb/s"},
-              "b/s", kBitRate, c.control_rate);
-  io.quantity({"broadcast_rate", "Of broadcast frames; one of the rates of data.", "2 Mb/s"}, "b/s",
-              kBitRate, c.broadcast_rate);
+  io.quantity(
+      {"control_rate",
+       "Rate of RTS frames; with `mobility_framework` also of CTS and ACK. One of the data rates.",
+       "2 Mb/s"},
+      "b/s", kBitRate, c.control_rate);
+  io.quantity({"broadcast_rate", "Rate of broadcast frames. One of the data rates.", "2 Mb/s"},
+              "b/s", kBitRate, c.broadcast_rate);
   io.choice(
-      {"preamble", "Of frames at 2, 5.5 and 11 Mb/s; those at 1 Mb/s have the long one.", "long"},
+      {"preamble",
+       "DSSS preamble of frames at 2, 5.5 and 11 Mb/s; frames at 1 Mb/s always have the long one.",
+       "long"},
       kPreambles, c.preamble);
 }
 
 inline void rounding(Fields& io, radio::Rounding& value) {
-  io.choice(
-      {"rounding",
-       "Of airtimes: none below a nanosecond, or up to whole microseconds as in the standard.",
-       "microsecond"},
-      kRoundings, value);
+  io.choice({"rounding",
+             "Rounding of frame durations: exact, to the nearest nanosecond; microsecond, up to "
+             "whole microseconds as in the standard.",
+             "microsecond"},
+            kRoundings, value);
 }
 
 inline void keys_of(Fields& io, radio::LengthsConfig& c) {
-  io.choice(
-      {"lengths", "Of frames: what the codec puts on the air, or the fixed ones below.", "bytes"},
-      kLengths, c.lengths);
+  io.choice({"lengths",
+             "Length of frames on the air: bytes, that of the encoded frame; fixed, the two values "
+             "below.",
+             "bytes"},
+            kLengths, c.lengths);
+  io.count({"fixed_header_bits",
+            "With `lengths: fixed`: length of MAC header and FCS of a data frame, in bits.", "272"},
+           0, kMaxBits, c.header_bits);
   io.count(
-      {"fixed_header_bits", "With `lengths: fixed`: MAC header and FCS of a data frame.", "272"}, 0,
-      kMaxBits, c.header_bits);
-  io.count({"fixed_payload_bits", "With `lengths: fixed`: a network packet.", "1024"}, 0, kMaxBits,
-           c.payload_bits);
+      {"fixed_payload_bits",
+       "With `lengths: fixed`: length of a network packet in bits, whatever it carries.", "1024"},
+      0, kMaxBits, c.payload_bits);
 }
 
 inline void queue_limit(Fields& io, std::uint32_t& limit) {
-  io.count({"queue_limit", "Frames that may wait in a station.", "14"}, 1, 1'000'000, limit);
+  io.count({"queue_limit",
+            "Frames that may wait in the queue of a station; further ones are dropped.", "14"},
+           1, 1'000'000, limit);
 }
 
 inline void keys_of(Fields& io, radio::ContentionConfig& c) {
-  io.duration({"slot", "Of the backoff.", "20 us"}, kShortTime, c.slot);
-  io.duration({"sifs", "Short interframe space.", "10 us"}, kShortTime, c.sifs);
-  io.count({"cw_min", "Smallest contention window, one less than a power of two.", "31"}, 0,
-           kMaxWindow, c.cw_min);
-  io.count({"cw_max", "Largest contention window, one less than a power of two.", "1023"}, 0,
-           kMaxWindow, c.cw_max);
-  io.count({"rts_threshold", "Bytes; larger frames use RTS/CTS.", "2347"}, 0, 1'000'000,
-           c.rts_threshold);
-  io.count({"short_retry_limit", "Transmissions of a frame, or of its RTS, in all.", "7"}, 1, 255,
-           c.short_retry_limit);
+  io.duration({"slot", "Slot time of the backoff.", "20 us"}, kShortTime, c.slot);
+  io.duration({"sifs", "Short interframe space (SIFS).", "10 us"}, kShortTime, c.sifs);
+  io.count({"cw_min", "Smallest contention window in slots, one less than a power of two.", "31"},
+           0, kMaxWindow, c.cw_min);
+  io.count({"cw_max", "Largest contention window in slots, one less than a power of two.", "1023"},
+           0, kMaxWindow, c.cw_max);
+  io.count({"rts_threshold",
+            "Length of a unicast frame (MPDU) in bytes above which RTS/CTS precedes it.", "2347"},
+           0, 1'000'000, c.rts_threshold);
+  io.count({"short_retry_limit",
+            "Transmissions of a frame without RTS/CTS, or of an RTS, in total, before the frame is "
+            "given up.",
+            "7"},
+           1, 255, c.short_retry_limit);
   queue_limit(io, c.queue_limit);
 }
 
 inline void tx_power(Fields& io, hal::Milliwatts& power) {
-  io.quantity({"tx_power", "Of a transmitter.", "2 mW"}, "mW", kTxPower, power);
+  io.quantity({"tx_power", "Transmit power.", "2 mW"}, "mW", kTxPower, power);
 }
 
 inline void range(Fields& io, hal::Metres& range) {
-  io.quantity({"range", "Who is nearer hears every frame, who is farther none.", "250 m"}, "m",
-              {1e-3, kUnlimited}, range);
+  io.quantity(
+      {"range", "Range of the radio: agents within it receive every frame, others none.", "250 m"},
+      "m", {1e-3, kUnlimited}, range);
 }
 
 inline void common_keys_of(Fields& io, radio::WavesConfig& c) {
@@ -198,8 +228,8 @@ inline void keys_of(Fields& io, radio::MobilityFrameworkConfig& c) {
   common_keys_of(io, c);
   error_model(io, c.receiver.error_model);
   rounding(io, c.phy.rounding);
-  io.count({"cw_broadcast", "Contention window of broadcast frames.", "31"}, 0, kMaxWindow,
-           c.cw_broadcast);
+  io.count({"cw_broadcast", "Contention window of broadcast frames, in slots.", "31"}, 0,
+           kMaxWindow, c.cw_broadcast);
 }
 
 inline void keys_of(Fields& io, radio::ForeignProfileConfig& c) {

@@ -37,14 +37,13 @@ const auto kProfileKinds =
 void warn_of_levels(Mapping& in, const radio::WavesConfig& c) {
   const hal::Dbm noise = c.receiver.noise_floor, sensitivity = c.receiver.sensitivity;
   if (c.propagation.obstacles && c.propagation.antenna_height.value == 0) {
-    in.warn(
-        "obstacles",
-        "with an antenna_height of 0 m nothing is in the way, except of agents that have one of "
-        "their own: walls begin at the ground");
+    in.warn("obstacles",
+            "has no effect with an antenna_height of 0 m, except on agents with an antenna_height "
+            "of their own: walls begin at the ground");
   }
   if (noise > sensitivity) {
-    in.warn("noise_floor", fmt::format("{} dBm is above the sensitivity, {} dBm: what is received "
-                                       "at that level drowns in noise",
+    in.warn("noise_floor", fmt::format("{} dBm is above the sensitivity, {} dBm: frames received "
+                                       "at the sensitivity are lost in noise",
                                        noise.value, sensitivity.value));
   }
 }
@@ -67,9 +66,9 @@ void read_basic_rates(Mapping& in, const Key& key, Standard standard, radio::Dcf
 /// Rates of control responses (IEEE Std 802.11-2016, 10.7.6.5).
 void basic_rates_key(Fields& io, Standard standard, radio::DcfConfig& c) {
   const Key key{"basic_rates",
-                "CTS and ACK are sent at the highest of these that is not above the rate of the "
-                "frame that they answer, in its kind of modulation; if there is none, at the "
-                "highest mandatory rate. Not empty.",
+                "Basic rates. CTS and ACK are sent at the highest of these that does not exceed "
+                "the rate of the frame that they answer, in the same modulation class; if there is "
+                "none, at the highest mandatory rate. Not empty.",
                 "[1 Mb/s, 2 Mb/s]",
                 "[1 Mb/s] (ieee80211b), [6 Mb/s, 12 Mb/s, 24 Mb/s] (ieee80211g)"};
   io.own(
@@ -103,9 +102,9 @@ void follow_channel(Mapping& in, radio::WavesConfig& waves) {
 void waves_keys(Fields& io, RadioConfig& config, radio::WavesConfig& waves) {
   if (io.reading() != nullptr) follow_channel(*io.reading(), waves);
   chain_keys(io, waves.propagation.chain);
-  io.inside(
-      {"loss", "Frames that get lost although the physics let them in; told as `random loss`."},
-      [&](Fields& loss) { keys_of(loss, waves.receiver.loss); });
+  io.inside({"loss",
+             "Random loss of frames that would otherwise be received; recorded as `random loss`."},
+            [&](Fields& loss) { keys_of(loss, waves.receiver.loss); });
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
     basic_rates_key(io, *rates_of(config), *dcf);
     io.inside({"bss", "Infrastructure mode: stations send to each other through access points."},
@@ -137,10 +136,9 @@ void refuse_others(Mapping& in, RadioConfig config) {
     in.refuse(key, fmt::format("is not used by the profile '{}'", profile));
   }
   if (is_any_there) {
-    in.mistake("profile",
-               fmt::format("the other keys of the section are for another profile; this replaces "
-                           "it as a whole: --set 'radio={{profile: {}}}'",
-                           profile));
+    in.mistake("profile", fmt::format("the other keys of the section are for another profile; this "
+                                      "replaces it as a whole: --set 'radio={{profile: {}}}'",
+                                      profile));
   }
 }
 
@@ -153,15 +151,15 @@ void keys_of(Fields& io, RadioConfig& config) {
     io.needed_text({"profile", ""}, name);
     return profile_keys(io, config);
   }
-  io.kinds(
-      {"profile",
-       "The model: the paper's network card, the 802.11b or 802.11g standard, a range and a bit "
-       "rate, or instant and lossless. It sets the defaults.",
-       "ieee80211b"},
-      kProfileKinds, config, [](Fields& keys, RadioConfig& one) {
-        profile_keys(keys, one);
-        if (keys.reading() != nullptr) refuse_others(*keys.reading(), one);
-      });
+  io.kinds({"profile",
+            "Model of the radio, which sets the defaults of the other keys: the network card of "
+            "the paper's simulations, IEEE 802.11b or 802.11g, a disk with a range and a bit rate, "
+            "or an ideal one without delay and loss.",
+            "ieee80211b"},
+           kProfileKinds, config, [](Fields& keys, RadioConfig& one) {
+             profile_keys(keys, one);
+             if (keys.reading() != nullptr) refuse_others(*keys.reading(), one);
+           });
 }
 
 std::vector<std::string> profiles_with(bool (*has)(const RadioConfig& config)) {

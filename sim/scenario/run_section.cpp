@@ -33,59 +33,62 @@ constexpr hal::Duration kDefaultLatency = 10ms;
 /// The name is also that of the folder of results.
 void head_keys(Fields& io, Scenario& scenario) {
   hal::files::description::needed_version_key(io);
-  io.text(
-      {"name", "Of the scenario and of the folder of its results: letters, digits, '_' and '-'.",
-       "two_motes", "the file's without its ending"},
-      scenario.name);
-  if (!hal::files::description::are_name_characters(scenario.name))
-    io.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-'", scenario.name));
+  io.text({"name", "Name of the scenario and of its results folder: letters, digits, '_' and '-'.",
+           "two_motes", "the file's name without its ending"},
+          scenario.name);
+  hal::files::description::check_folder_name(io, scenario.name);
 }
 
 void simulation_keys(Fields& io, Scenario& scenario) {
   agents::SimulationConfig& c = scenario.simulation;
-  io.count({"seed", "Of all random streams: equal files and seeds give equal runs.", "1"}, 0,
+  io.count({"seed", "Seed of all random streams. Equal files and seeds give equal runs.", "1"}, 0,
            std::numeric_limits<std::int64_t>::max(), c.seed);
-  io.duration({"controller_latency", "An action takes effect this long after the event it answers.",
-               "10 ms"},
+  io.duration({"controller_latency",
+               "Time from an event to the effect of the controller's answer to it.", "10 ms"},
               {0, 10}, c.controller_latency);
-  io.choice(
-      {"control_phase",
-       "Whether all control cycles start together, or each agent's at a phase drawn for it. If "
-       "they start together, robots that hear a call answer it at the same instant and their "
-       "frames collide: those of many_robots drive half as far again (docs/sensitivity.md).",
-       "uniform"},
-      kPhases, c.control_phase);
-  io.duration({"control_period", "Between two calls of a controller's step().", "100 ms"},
+  io.choice({"control_phase",
+             "aligned: all agents have their control cycles at the same instants; uniform: each "
+             "has a phase drawn at random. If aligned, robots that hear a call answer at the same "
+             "instant and their frames collide: those of many_robots then drive half as far again "
+             "(docs/sensitivity.md).",
+             "uniform"},
+            kPhases, c.control_phase);
+  io.duration({"control_period", "Time between two calls of a controller's step().", "100 ms"},
               {1e-3, 10}, c.control_period);
   io.duration({"command_timeout",
-               "Without a command for so long an agent stops driving: in real time, or with "
-               "`on_death: silence`.",
+               "Time without a command after which an agent stops driving; applies in real time "
+               "and with `on_death: silence`.",
                "500 ms"},
               {1e-3, 3600}, c.command_timeout);
   io.duration(
       {"lateness_limit",
-       "Of agents with a `network`: a frame that is later than this, in simulated time, "
-       "between a program and the air counts as late. If, of at least 100 frames, more than one "
-       "in a hundred are (95 % confidence), the result says that this computer was too slow; of "
-       "fewer it says how many, if more than half are.",
+       "For agents with a `network`: a frame counts as late if it is delayed by more than this, in "
+       "simulated time, between a program and the radio. If more than one in a hundred of at least "
+       "100 frames are late (95 % confidence), the result says that this computer was too slow; "
+       "with fewer frames it gives their number if more than half are late.",
        "1 ms"},
       {1e-6, 10}, c.lateness_limit);
-  io.choice(
-      {"on_death", "A controller that dies or does not answer fails the run, or only falls silent.",
-       "fail"},
-      kDeaths, c.on_death);
+  io.choice({"on_death",
+             "What happens if a controller ends or does not answer. fail: the run fails; silence: "
+             "the agent goes on without commands.",
+             "fail"},
+            kDeaths, c.on_death);
   io.optional_duration({"reply_timeout",
+<<<<<<< HEAD
                         "A controller that takes longer to answer, by the wall clock, counts as "
                         "dead; none: it may take for ever, as under a debugger. Of one inside its "
                         "agent, in lock-step: also one that waits longer by simulated time.",
+=======
+                        "Real time that a controller may take to answer before it counts as dead; "
+                        "none: no limit, e.g. for a debugger.",
+>>>>>>> helper-house
                         "10 s"},
                        1e-3, scenario.reply_timeout);
-  io.duration({"wait", "How long to wait, by the wall clock, for the controllers before the start.",
-               "30 s"},
+  io.duration({"wait", "Longest real time to wait for the controllers before the start.", "30 s"},
               {0, 3600}, scenario.wait);
   io.choice({"link",
-             "What routing learns of its frames: all that the MAC knows, or as little as a UDP "
-             "socket tells.",
+             "What routing learns of the frames it sends. mac: the outcome of each frame, as the "
+             "MAC reports it; udp_like: nothing, as with a UDP socket.",
              "mac"},
             kLinks, c.link);
 }
@@ -101,35 +104,36 @@ constexpr std::array kReadingDetails = {Option<Detail>{"none", Detail::kNone},
 
 void detail_keys(Fields& io, RecordOptions& c) {
   io.choice({"frames",
-             "Frames in the results: not at all, counted, or rows as well: for the first ones of "
-             "each simulated second, up to 5000 rows with those of how they ended, or for each.",
-             "all", "sample; counts above 100 agents"},
+             "How radio frames are recorded. none: not at all; counts: counted; sample: also one "
+             "row each, with rows of their receptions, for the first ones of each simulated "
+             "second, up to 5000 rows; all: rows for every frame.",
+             "all", "sample; counts with more than 100 agents"},
             kFrameDetails, c.frames);
   io.choice({"messages",
-             "Messages and deliveries in the results: not at all, counted, or a row for each, as "
-             "quartiles of their delays need.",
-             "counts", "all; counts above 100 agents"},
+             "How messages and their deliveries are recorded. none: not at all; counts: counted; "
+             "all: a row for each, which quartiles of their delays need.",
+             "counts", "all; counts with more than 100 agents"},
             kDetails, c.messages);
-  io.choice(
-      {"samples",
-       "Samples of DDS that programs on agents with a network sent each other: not at all, "
-       "counted by writer and receiver with a histogram of latencies, or also a row for each.",
-       "all"},
-      kDetails, c.samples);
+  io.choice({"samples",
+             "How DDS samples that programs on agents with a `network` exchange are recorded. "
+             "none: not at all; counts: counted by writer and reader, with a histogram of "
+             "latencies; all: also a row for each.",
+             "all"},
+            kDetails, c.samples);
   io.choice({"routes",
-             "Changes of agents' routing tables and of the lengths of their queues in the results: "
-             "not at all, or each, for `baraka view`.",
-             "none", "all; none above 100 agents"},
+             "Whether changes of routing tables and of queue lengths are recorded, as `baraka "
+             "view` needs to show them.",
+             "none", "all; none with more than 100 agents"},
             kRouteDetails, c.routes);
-  io.choice({"readings",
-             "What sensors say in the results, where it changes, at most once per pose_period: not "
-             "at all, ranges and bumpers of up to 32 values, or all channels.",
-             "all", "ranges; none above 100 agents"},
-            kReadingDetails, c.readings);
+  io.choice(
+      {"readings",
+       "Which sensor readings are recorded, when they change and at most once per pose_period. "
+       "ranges: those of range sensors and bumpers with up to 32 values; all: all channels.",
+       "all", "ranges; none with more than 100 agents"},
+      kReadingDetails, c.readings);
   io.duration(
-      {"pose_period",
-       "Between two rows of an agent's pose in the results; at most one row per control cycle.",
-       "1 s", "100 ms; 1 s above 100 agents"},
+      {"pose_period", "Time between two recorded poses of an agent; at most one per control cycle.",
+       "1 s", "100 ms; 1 s with more than 100 agents"},
       {1e-3, 3600}, c.pose_period);
 }
 
@@ -140,8 +144,8 @@ constexpr std::string_view kCaptureEnding = ".pcapng";
 void air_key(Fields& io, std::string& air) {
   io.spelled(
       {"air",
-       "File in the results' folder for the frames as they are on the air (radiotap and IEEE "
-       "802.11 in pcapng, for Wireshark); none: no such file.",
+       "File in the results folder for the frames on the air (radiotap and IEEE 802.11 in pcapng, "
+       "for Wireshark); none: no such file.",
        "air.pcapng"},
       air, [](const std::string& file) { return file.empty() ? std::string(kNoCapture) : file; },
       [&](const std::string& text, std::string& file) {
@@ -154,8 +158,8 @@ void air_heard_by_key(Fields& io, Scenario& scenario) {
   const auto& agents = scenario.simulation.agents;
   io.spelled(
       {"air_heard_by",
-       "With `air`: the agent that sends and receives these frames; all: an ear that hears "
-       "whatever is sent.",
+       "With `air`: the agent whose sent and received frames are written; all: every transmitted "
+       "frame.",
        "all"},
       scenario.record.air_heard_by,
       [&](const std::optional<hal::AgentId>& id) {
@@ -197,7 +201,7 @@ void record_keys(Fields& io, Scenario& scenario) {
     c.readings = many ? Detail::kNone : Detail::kSample;
     c.pose_period = many ? 1s : 100ms;
   }
-  io.inside({"record", "What goes into the results."}, [&](Fields& record) {
+  io.inside({"record", "What is written to the results."}, [&](Fields& record) {
     detail_keys(record, c);
     air_key(record, c.air);
     air_heard_by_key(record, scenario);

@@ -39,10 +39,10 @@ void keys_of(Fields& io, Scenario& scenario) {
   run_keys(io, scenario);
   io.inside({"world", "Walls, boxes and the physics engine."},
             [&](Fields& world) { world_keys(world, config); });
-  io.inside({"radio", "The radio that all agents have."},
+  io.inside({"radio", "The radio of all agents."},
             [&](Fields& radio) { keys_of(radio, config.radio); });
   hal::files::description::routing_key(io, config.routing, link_capabilities(config));
-  io.inside({"localisation", "What controllers are told of where the others are."},
+  io.inside({"localisation", "What controllers learn about the positions of other agents."},
             [&](Fields& own) { keys_of(own, config.localisation); });
   agents_key(io, scenario);
   record_keys(io, scenario);

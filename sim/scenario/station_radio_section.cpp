@@ -48,25 +48,28 @@ void used_keys(Fields& io, bool (*is_used)(const RadioConfig&), const RadioConfi
 }
 
 void antenna_keys(Fields& io, StationConfig& c) {
+  io.given({"antenna_height", "Antenna height of these agents above the origin of their body.",
+            "1.5 m", kOfRadio},
+           "m", kAntennaHeight, c.antenna_height);
   io.given(
-      {"antenna_height", "Of these agents, above the origin of their body.", "1.5 m", kOfRadio},
-      "m", kAntennaHeight, c.antenna_height);
-  io.given(
-      {"antenna_gain", "Of these agents, to all sides, sending and receiving.", "5 dB", kOfRadio},
+      {"antenna_gain",
+       "Antenna gain of these agents, the same in all directions, for transmission and reception.",
+       "5 dB", kOfRadio},
       "dB", kAntennaGain, c.antenna_gain);
   io.given_count({"channel",
-                  "Number of the channel of these agents. Who has another one neither hears nor "
-                  "disturbs them.",
+                  "Number of the channel of these agents. Agents on different channels neither "
+                  "receive nor disturb each other.",
                   "6", kOfRadio},
                  1, radio::kChannels, c.channel);
 }
 
 void standard_key(Fields& io, StationConfig& c) {
-  io.given_choice({"standard",
-                   "With `profile: ieee80211g`: that these agents know 802.11b only. Frames in "
-                   "OFDM are noise to them, and they have the defaults of 802.11b.",
-                   "ieee80211b", "ieee80211g"},
-                  kStandards, c.standard);
+  io.given_choice(
+      {"standard",
+       "With `profile: ieee80211g`: standard that these agents support. Those with ieee80211b have "
+       "the defaults of 802.11b and cannot decode OFDM frames, which are only energy to them.",
+       "ieee80211b", "ieee80211g"},
+      kStandards, c.standard);
 }
 
 void rate_keys(Fields& io, StationConfig& c, const RadioConfig& config) {
@@ -80,9 +83,9 @@ void rate_keys(Fields& io, StationConfig& c, const RadioConfig& config) {
       io.mistake(key.name, fmt::format("must be {}", rates_of(rates)));
     }
   };
-  rate({"data_rate", "Of data frames of these agents.", "11 Mb/s", kOfRadio}, c.data_rate);
-  rate({"control_rate", "Of RTS of these agents.", "2 Mb/s", kOfRadio}, c.control_rate);
-  rate({"broadcast_rate", "Of broadcast frames of these agents.", "2 Mb/s", kOfRadio},
+  rate({"data_rate", "Rate of these agents' data frames.", "11 Mb/s", kOfRadio}, c.data_rate);
+  rate({"control_rate", "Rate of these agents' RTS frames.", "2 Mb/s", kOfRadio}, c.control_rate);
+  rate({"broadcast_rate", "Rate of these agents' broadcast frames.", "2 Mb/s", kOfRadio},
        c.broadcast_rate);
 }
 
@@ -91,8 +94,8 @@ void rate_keys(Fields& io, StationConfig& c, const RadioConfig& config) {
 /// @param config  determines which keys exist.
 void keys_of(Fields& io, StationConfig& c, const RadioConfig& config) {
   used_keys(io, has_power, config, [&](Fields& used) {
-    used.given({"tx_power", "Of the transmitters of these agents.", "10 mW", kOfRadio}, "mW",
-               kTxPower, c.tx_power);
+    used.given({"tx_power", "Transmit power of these agents.", "10 mW", kOfRadio}, "mW", kTxPower,
+               c.tx_power);
   });
   used_keys(io, has_waves, config, [&](Fields& used) { antenna_keys(used, c); });
   used_keys(io, knows_ofdm, config, [&](Fields& used) { standard_key(used, c); });
@@ -110,15 +113,16 @@ struct RadioOverride {
 void override_keys(Fields& io, std::span<AgentConfig> agents, const StationConfig& common,
                    std::vector<RadioOverride> overrides, const RadioConfig& config) {
   OverrideAgents some(agents);
-  io.list_if_any<RadioOverride>({"overrides", "The same for some of the agents; no agent twice.",
-                                 "[{agents: NAME0, channel: 11}]"},
-                                overrides,
-                                [&](Fields& one, RadioOverride& c) {
-                                  const auto fitting = some.agents_key(one, c.agents);
-                                  keys_of(one, c.radio, config);
-                                  for (AgentConfig* const agent : fitting) agent->radio = c.radio;
-                                },
-                                {{}, common});
+  io.list_if_any<RadioOverride>(
+      {"overrides", "The same keys for some of the agents. No agent may be in two entries.",
+       "[{agents: NAME0, channel: 11}]"},
+      overrides,
+      [&](Fields& one, RadioOverride& c) {
+        const auto fitting = some.agents_key(one, c.agents);
+        keys_of(one, c.radio, config);
+        for (AgentConfig* const agent : fitting) agent->radio = c.radio;
+      },
+      {{}, common});
 }
 
 }  // namespace
@@ -138,13 +142,14 @@ void station_radio_key(Fields& io, std::span<AgentConfig> agents, const RadioCon
     }
   }
   io.written_if(std::ranges::any_of(agents, has_own), [&](Fields& written) {
-    written.inside({"radio", "What the radios of the group's agents have of their own."},
-                   [&](Fields& radio) {
-                     keys_of(radio, common, config);
-                     if (radio.reading() != nullptr)
-                       for (AgentConfig& agent : agents) agent.radio = common;
-                     override_keys(radio, agents, common, overrides, config);
-                   });
+    written.inside(
+        {"radio", "Radio keys in which the group's agents differ from `radio` of the scenario."},
+        [&](Fields& radio) {
+          keys_of(radio, common, config);
+          if (radio.reading() != nullptr)
+            for (AgentConfig& agent : agents) agent.radio = common;
+          override_keys(radio, agents, common, overrides, config);
+        });
   });
 }
 

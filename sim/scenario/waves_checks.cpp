@@ -29,9 +29,8 @@ void check_heights(Mapping& in, const Scenario& scenario, const PropagationConfi
   const auto found = std::ranges::find_if(agents, on_ground);
   if (found == agents.end()) return;
   const std::string mistake = fmt::format(
-      "is 0 m of '{}': with the model two_ray_ground, the ray by way of the ground extinguishes "
-      "the "
-      "other one, and nobody hears anything from there; it must be above 0 m",
+      "is 0 m of '{}': with the model two_ray_ground, the ray reflected from the ground cancels "
+      "the direct one, and no frame from there is received; must be above 0 m",
       found->name);
   if (!found->radio.antenna_height) return in.within("radio").mistake(kHeight, mistake);
   const auto group = std::ranges::find_if(scenario.groups, [&](const Group& one) {
@@ -56,10 +55,9 @@ void check_waves(Mapping& in, const Scenario& scenario) {
   if (waves == nullptr) return;
   if (has_two_rays(waves->propagation)) check_heights(in, scenario, waves->propagation);
   if (waves->propagation.obstacles && !can_stop_waves(scenario, waves->propagation)) {
-    in.within("radio").warn(
-        "obstacles",
-        "nothing is in the way of radio waves: there is no wall with a radio_loss, nor a body "
-        "with body_loss_per_crossing or body_loss_per_metre");
+    in.within("radio").warn("obstacles",
+                            "has no effect: there is no wall with a radio_loss, nor a body with "
+                            "body_loss_per_crossing or body_loss_per_metre");
   }
 }
 

@@ -10,61 +10,80 @@ namespace {
 using physics::StaticBox;
 using physics::WorldConfig;
 
-const Key kRange{"range", "Agents farther away are not reported.", "300 m"};
+const Key kRange{"range", "Largest distance at which other agents are reported; none: no limit.",
+                 "300 m"};
 
 constexpr Range kBoxSize{1e-3, 1e5};  // m
 constexpr Range kFriction{0, 100};
 constexpr Range kRadioLoss{0, 1000};  // dB, dB/m
 
 void physics_keys(Fields& io, WorldConfig& c) {
-  io.duration({"step", "Of the physics engine.", "10 ms"}, {1e-4, 0.02}, c.step);
+  io.duration({"step", "Time step of the physics engine.", "10 ms"}, {1e-4, 0.02}, c.step);
   // Without gravity wheels have no grip, so it must be requested by name.
   bool weightless = c.gravity == 0;
-  io.flag({"weightless", "No gravity at all; then no wheel grips.", "false"}, weightless);
+  io.flag({"weightless", "Whether there is no gravity; then no wheel grips.", "false"}, weightless);
   if (weightless) c.gravity = 0;
-  io.only(!weightless, {}, "cannot stand beside 'weightless: true'", [&](Fields& heavy) {
-    heavy.number({"gravity", "Downwards.", "9.81 m/s^2"}, "m/s^2", {0.01, 100}, c.gravity);
+  io.only(!weightless, {}, "cannot be combined with 'weightless: true'", [&](Fields& heavy) {
+    heavy.number({"gravity", "Acceleration of gravity, which points down.", "9.81 m/s^2"}, "m/s^2",
+                 {0.01, 100}, c.gravity);
   });
+  io.number({"erp",
+             "Share of a joint's position error that is corrected in one step (ODE: error "
+             "reduction parameter, ERP).",
+             "0.4"},
+            "1", {1e-3, 1}, c.erp);  // 0 would never close a joint that came apart
+  io.number({"cfm", "Softness of constraints; 0: rigid (ODE: constraint force mixing, CFM).",
+             "0.00000001"},
+            "1", {0, 0.99}, c.cfm);
   io.number(
-      {"erp", "Share of a joint's error that a step corrects (ODE: error reduction parameter).",
-       "0.4"},
-      "1", {1e-3, 1}, c.erp);  // 0 would never close a joint that came apart
-  io.number({"cfm", "Softness of constraints (ODE: constraint force mixing).", "0.00000001"}, "1",
-            {0, 0.99}, c.cfm);
-  io.number({"surface_layer", "How far contacts may sink in.", "0.1 mm"}, "m", {0, 0.01},
-            c.surface_layer);
-  io.number(
-      {"max_correcting_velocity", "Largest speed at which contacts push bodies apart.", "0.1 m/s"},
-      "m/s", {1e-3, 100}, c.max_correcting_velocity);
-  io.number({"ground_friction", "Coefficient of the ground against motes; wheels bring their own.",
+      {"surface_layer",
+       "Depth to which bodies in contact may overlap before they are pushed apart.", "0.1 mm"},
+      "m", {0, 0.01}, c.surface_layer);
+  io.number({"max_correcting_velocity",
+             "Largest speed at which overlapping bodies are pushed apart.", "0.1 m/s"},
+            "m/s", {1e-3, 100}, c.max_correcting_velocity);
+  io.number({"ground_friction",
+             "Coefficient of friction of the ground under motes, if lower than the mote's own. "
+             "Wheels have their own.",
              "0.6"},
             "1", kFriction, c.ground_friction);
-  io.count({"jam_contacts", "Heaps with more contacts than this get the iterative solver.", "8"}, 1,
-           1000, c.jam_contacts);
-  io.count({"jam_robots", "Heaps with more robots than this get the iterative solver.", "4"}, 1,
-           1000, c.jam_robots);
+  io.count({"jam_contacts",
+            "Groups of touching bodies with more contacts than this are solved iteratively.", "8"},
+           1, 1000, c.jam_contacts);
+  io.count({"jam_robots",
+            "Groups of touching bodies with more robots than this are solved iteratively.", "4"},
+           1, 1000, c.jam_robots);
 }
 
 /// Defaults from Sommer et al. 2011 (kBrickWall); docs/models.md, 9, lists others.
 void loss_keys(Fields& io, ObstacleLoss& c) {
-  io.quantity({"per_crossing", "For having to pass at all.", "15 dB"}, "dB", kRadioLoss,
-              c.per_crossing);
-  io.number({"per_metre", "For each metre of the way inside.", "0.4 dB/m"}, "dB/m", kRadioLoss,
-            c.per_metre);
+  io.quantity({"per_crossing", "Loss for each crossing, whatever the thickness.", "15 dB"}, "dB",
+              kRadioLoss, c.per_crossing);
+  io.number({"per_metre", "Further loss for each metre of the path inside.", "0.4 dB/m"}, "dB/m",
+            kRadioLoss, c.per_metre);
 }
 
 void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
-  io.text({"name", "Of the wall or box, in results.", "north", "`wall` or `box` with its number"},
+  io.text({"name", "Name of the wall or box in the results.", "north",
+           "`wall` or `box` with its number"},
           box.name);
-  io.needed({"size", "Along its own axes; it stands on the ground.", "[6 m, 20 cm, 50 cm]"}, "m",
-            kBoxSize, box.size);
+  io.needed({"size", "Lengths of the edges along its own axes; it stands on the ground.",
+             "[6 m, 20 cm, 50 cm]"},
+            "m", kBoxSize, box.size);
   hal::Vec2 at{box.centre.x, box.centre.y};
-  io.needed({"position", "Of its middle, world frame.", "[0 m, 3 m]"}, "m", kCoordinate, at);
+  io.needed({"position", "Position of its centre, world frame.", "[0 m, 3 m]"}, "m", kCoordinate,
+            at);
   box.centre = {at.x, at.y, ground.height(at) + box.size.z / 2};  // the box stands on the ground
-  io.number({"yaw", "By which it is turned, seen from above.", "45 deg"}, "rad", kAngle, box.yaw);
-  io.number({"friction", "Coefficient of its surface.", "0.6"}, "1", kFriction, box.friction);
+  io.number({"yaw", "Rotation about the vertical, counter-clockwise seen from above.", "45 deg"},
+            "rad", kAngle, box.yaw);
+  io.number({"friction",
+             "Coefficient of friction of its surface. Where two bodies touch, the lower "
+             "coefficient of the two counts.",
+             "0.6"},
+            "1", kFriction, box.friction);
   io.inside(
-      {"radio_loss", "Of a frame that passes through it, with `obstacles: true` of the radio."},
+      {"radio_loss",
+       "Attenuation of radio frames that pass through it; needs `obstacles: true` of the radio."},
       [&](Fields& loss) { loss_keys(loss, box.radio_loss); });
 }
 
@@ -92,7 +111,7 @@ void world_keys(Fields& io, agents::SimulationConfig& config) {
         "wall", config);
   if (io.is_writing()) return;  // they are written as walls
   boxes(io,
-        {"boxes", "The same under another name.",
+        {"boxes", "The same as `walls`; without a name they are `box` and a number.",
          "[{size: [1 m, 1 m, 50 cm], position: [2 m, 2 m]}]"},
         "box", config);
 }

@@ -624,7 +624,7 @@ class CommandLine(Case):
         self.check_radio_refused("{interface: lo, address: 10.9.9.9}",
                                  r"robot\.yaml:3:33: radio\.address: .*10\.9\.9\.9")
         self.check_radio_refused("{interface: lo, address: here}",
-                                 r"robot\.yaml:3:33: radio\.address: 'here' is no IPv4 address")
+                                 r"robot\.yaml:3:33: radio\.address: 'here' is not an IPv4 address")
 
     def test_a_wrong_value_from_the_command_line_is_named_once(self):
         file = self.folder / "mote.yaml"
@@ -634,7 +634,7 @@ class CommandLine(Case):
                 (["--set", "radio.interface=nowhere0"], r"^--set radio\.interface: no network"),
                 (["--inspect-address", "10.9.9.9"],
                  r"^error: --inspect-address: no network interface has the address 10\.9\.9\.9"),
-                (["--inspect-address", "here"], "^error: --inspect-address: 'here' is no IPv4")):
+                (["--inspect-address", "here"], "^error: --inspect-address: 'here' is not an IPv4")):
             finished = Program("baraka-agentd", file, *arguments).finish()
             self.assertEqual(finished.status, 2, str(finished))
             self.assertRegex(finished.err, expected)

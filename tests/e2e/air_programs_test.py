@@ -385,7 +385,7 @@ class Runs(Air):
             refused = self.run_baraka(scenario, "--pace", pace, status=2)
             self.assertIn("agents that have a network", refused.err)
         slower = self.run_baraka(scenario, *REAL_TIME, "--max-speed", "0.5", status=2)
-        self.assertIn("--max-speed: agents with a network follow the clock", slower.err)
+        self.assertIn("--max-speed: runs with networks keep real time", slower.err)
         self.assertLess(float(self.run_baraka(scenario, *REAL_TIME)["real_time_factor"]), 1.1)
 
     def test_without_a_pace_they_are_held(self):

@@ -58,7 +58,7 @@ class CommandLine(Case):
         self.assertEqual(self.query("SELECT x_m FROM agents WHERE name = 'r0'"), [(3,)])
         finished = Program("baraka", "check", CASE_STUDY, "--set", "agents.robots.poses.7.x=3 m").finish()
         self.assertEqual(finished.status, 2, str(finished))
-        self.assertIn("--set agents.robots.poses.7.x: '7' is no item: the list has 1, 0 to 0", finished.err)
+        self.assertIn("--set agents.robots.poses.7.x: '7' is not an item: the list has 1, 0 to 0", finished.err)
         finished = Program("baraka", "check", CASE_STUDY, "--set", f"{pose}=far").finish()
         self.assertIn(f"--set {pose}: 'far' is not a number", finished.err)
 
@@ -129,7 +129,7 @@ agents:
         finished = Program("baraka", "check", TWO_MOTES, "--set",
                            "agents.motes.controller.program=helpmote").finish()
         self.assertEqual(finished.status, 2, str(finished))
-        self.assertRegex(finished.err, r"program: 'helpmote' is no known controller")
+        self.assertRegex(finished.err, r"program: 'helpmote' is not a known controller")
 
     def test_a_controller_on_the_wrong_kind_of_agent_is_a_mistake(self):
         finished = Program("baraka", "check", TWO_MOTES, "--set",
@@ -252,9 +252,9 @@ class Export(Case):
 
     def test_a_table_that_is_nearly_right_is_found(self):
         (self.folder / "r").mkdir()
-        self.assertIn("export: 'framez' is no table of a result; did you mean 'frames'?; there are: run, ",
+        self.assertIn("export: 'framez' is not a table of a result; did you mean 'frames'?; there are: run, ",
                       self.export(self.folder / "r", "framez", status=2).err)
-        self.assertIn("export: 'colour' is no table of a result; there are: run, ",
+        self.assertIn("export: 'colour' is not a table of a result; there are: run, ",
                       self.export(self.folder / "r", "colour", status=2).err)
 
     def test_every_table_comes_as_csv_with_its_units(self):
@@ -286,7 +286,7 @@ class Export(Case):
         self.run_baraka(TWO_MOTES, *IN_PROCESS)
         kept = self.folder / "kept.csv"
         kept.write_text("mine")
-        self.assertIn("'pose' is no table of a result; did you mean 'poses'?; there are: run, settings, ",
+        self.assertIn("'pose' is not a table of a result; did you mean 'poses'?; there are: run, settings, ",
                       self.export(self.out, "pose", "-o", kept, status=2).err)
         self.assertIn("nowhere", self.export(self.folder / "nowhere", "poses", "-o", kept, status=2).err)
         self.export(status=2)
@@ -341,9 +341,9 @@ class Help(unittest.TestCase):
             self.assertEqual(said.status, 2, str(said))
             self.assertEqual(said.err.count("warning: BARAKA_CONTROLLER_PATH: there is no folder /nowhere\n"), 1, said.err)
             first, second = said.err.splitlines()[1:]
-            self.assertRegex(first, r"program: 'vanished' is no known controller: looked for vanished.so in .*"
+            self.assertRegex(first, r"program: 'vanished' is not a known controller: looked for vanished.so in .*"
                                     r"vanished.so is a link to a file that is not there$")
-            self.assertRegex(second, r"program: 'wandrer' is no known controller: looked .*; did you mean 'wanderer'\?$")
+            self.assertRegex(second, r"program: 'wandrer' is not a known controller: looked .*; did you mean 'wanderer'\?$")
             self.assertNotIn("no controller '", said.err)
 
     def test_list_names_what_is_no_controller_only_where_the_user_put_it(self):

@@ -128,7 +128,7 @@ class Direct(Case):
         self.assertIn("agents.walker.routing: 'oadv' is not one of ants, anthocnet, aodv, flooding, none",
                       check("agents.walker.routing=oadv"))
         self.assertIn("line.speed: 0 m/s is below", check("agents.walker.station.path.line.speed=0 m/s"))
-        self.assertIn("line: cannot stand beside circle", check("agents.posts.circle={count: 2, radius: 1 m}"))
+        self.assertIn("line: cannot be combined with circle", check("agents.posts.circle={count: 2, radius: 1 m}"))
         self.assertIn("is not one of saturated", check("agents.sender.controller.parameters.pattern=wild"))
         self.assertIn("to: there is no agent 'ghost'", check("agents.sender.controller.parameters.to=ghost"))
 

@@ -296,6 +296,15 @@ controller:
         tested = self.ctest(project)
         self.assertEqual(tested.status, 0, str(tested))
 
+    def test_a_project_of_an_earlier_template_builds_and_passes_its_own_test(self):
+        """earlier_project is what `new-controller wall_finder` wrote at b0aa378d^, before the folders were moved: users keep
+        such projects, so it is never brought up to date."""
+        project = self.folder / "wall_finder"
+        shutil.copytree(ROOT / "tests/e2e/earlier_project", project)
+        self.build(project)
+        tested = self.ctest(project)
+        self.assertEqual(tested.status, 0, str(tested))
+
     def test_from_what_is_no_model_is_refused_and_so_is_a_model_for_a_mote(self):
         for options in (("--from", "two_turtles"), ("--from", "two_turtlebots", "--mote")):
             self.assertEqual(self.baraka("new-controller", "x", *options).status, 2)

@@ -22,7 +22,7 @@ def sets(overrides):
 class WhatCannotRun(Case):
     CASES = [
         (WANDERER, ["agents.robots.robot.infrared={mounts: []}"],
-         r"program: 'wanderer' cannot do without a channel: r0 has no channel 'infrared'; it has: "
+         r"program: 'wanderer' needs a channel: r0 has no channel 'infrared'; it has: "
          r"localisation, odometry"),
         (WANDERER, ["end=[{agent: r0, state: LOST, result: a}, {at: 1 s, result: b}]",
                     "agents.robots.controller={program: blind}"],

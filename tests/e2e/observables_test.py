@@ -106,7 +106,7 @@ class Observables(Case):
                 ("{name: agents.*.spead}", "did you mean 'speed'?"),
                 ("{name: agents.x}", "must have three parts"),
                 ("{name: sensors.*.odometry.x}", "have no 'odometry.x' in sensors"),
-                ("{name: agents.*.x, every: 1 s, on: change}", "cannot stand beside on"),
+                ("{name: agents.*.x, every: 1 s, on: change}", "cannot be combined with on"),
                 ("{name: agents.*.x, bins: 3}", "needs `as: histogram`"),
                 ("{name: agents.*.x, as: histogram, range: [1, 1]}", "must begin below its end"),
                 ("{name: agents.*.x}, {name: agents.m0.x, every: 2 s}", "asked for at"),

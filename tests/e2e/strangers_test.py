@@ -113,7 +113,7 @@ class Runs(Case):
     def test_a_user_that_is_not_there_is_a_mistake(self):
         finished, _ = self.run_as(OWNER, trust="nobody-of-that-name")
         self.assertEqual(finished.status, 2, str(finished))
-        self.assertIn("BARAKA_TRUST: 'nobody-of-that-name' is no user of this computer", finished.err)
+        self.assertIn("BARAKA_TRUST: 'nobody-of-that-name' is not a user of this computer", finished.err)
 
 
 @unittest.skipUnless(os.geteuid() == 0, "becoming other users needs root")

@@ -49,8 +49,8 @@ void check_channels(const sim::scenario::Scenario& scenario, const sim::scenario
     const auto offer = sim::agents::offer_of(agent, scenario.simulation);
     const auto session = hal::node::exchange::session_for(offer, kind.wants);
     if (session) continue;
-    mistakes.push_back(fmt::format("{}: program: '{}' cannot do without a channel: {}",
-                                   group.program_place, group.program, session.error().message));
+    mistakes.push_back(fmt::format("{}: program: '{}' needs a channel: {}", group.program_place,
+                                   group.program, session.error().message));
     return;  // the other agents of the group have the same body
   }
 }
@@ -89,7 +89,7 @@ void check_form(const sim::scenario::Group& group, const RunMode& mode,
   if (mode.controllers != controllers::ControllersFrom::kSpawn) return;
   if (gateway::process::find_program(group.program, gateway::runtime::controller_folders())) return;
   mistakes.push_back(fmt::format(
-      "{}: program: '{}' is not there to be started, only its plug-in is: --controllers in-process",
+      "{}: program: '{}' has no executable, only a plug-in; use --controllers in-process",
       group.program_place, group.program));
 }
 

@@ -189,8 +189,8 @@ void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenar
     const auto program =
         gateway::process::find_program(plan.program, gateway::runtime::controller_folders());
     if (!program) {
-      throw std::runtime_error(fmt::format("{}: program: '{}' is not there to be started",
-                                           plan.program_place, plan.program));
+      throw std::runtime_error(
+          fmt::format("{}: program: '{}' has no executable", plan.program_place, plan.program));
     }
     std::vector<std::string> arguments = arguments_for(plan, scenario);
     if (plan.inside) {

@@ -51,9 +51,7 @@ hal::Result<std::int64_t> LiveControl::act(const view::server::Command& command)
     const hal::AgentId agent{drive->agent};
     if (settings_.drive && settings_.drive(agent, {drive->vx, drive->vy, drive->omega})) return 0;
     return refusal(
-        fmt::format("{} is not driven by hand: its controller is not "
-                    "teleop",
-                    name(agent)));
+        fmt::format("{} cannot be driven by hand: its controller is not teleop", name(agent)));
   }
   if (!settings_.lockstep) {
     return refusal("this run keeps real time: it cannot be paused, stepped or slowed");
@@ -105,7 +103,7 @@ hal::Result<std::int64_t> LiveControl::add(const Break& at) {
     return refusal(fmt::format("there are {} breaks already", kMostBreaks));
   }
   if (at.on == Break::On::kTime && hal::Time{hal::Duration{at.at}} < next_) {
-    return refusal("that time is over");
+    return refusal("that time has passed");
   }
   breaks_[++last_break_] = at;
   return last_break_;

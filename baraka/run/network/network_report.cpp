@@ -63,14 +63,15 @@ std::string icmp_warning(const NetworkSummary::ByAgent& not_sent) {
 /// What was lost between programs and the air.
 void add_losses(const NetworkSummary& network, std::vector<std::string>& lines) {
   if (network.frames_dropped > 0) {
-    lines.push_back(fmt::format(
-        "the kernel dropped {} frames of programs before they came on the air: this result is not "
-        "what the radio would have done",
-        network.frames_dropped));
+    lines.push_back(
+        fmt::format("the kernel dropped {} frames of programs before they came on the air: this "
+                    "result is not what the radio would have given",
+                    network.frames_dropped));
   }
   if (network.frames_not_taken > 0) {
-    lines.push_back(fmt::format("{} frames off the air found their agent's wlan0 shut down",
-                                network.frames_not_taken));
+    lines.push_back(
+        fmt::format("{} frames from the air were lost because their agent's wlan0 was shut down",
+                    network.frames_not_taken));
   }
   if (network.neighbours_without_room > 0) {
     lines.push_back(fmt::format(
@@ -132,10 +133,10 @@ std::vector<std::string> held_network_warnings(const sim::agents::AirSummary& ai
         "frames; take --pace realtime for it");
   }
   if (network.lockstep && network.lockstep->counts.unknown > 0) {
-    lines.push_back(fmt::format(
-        "{} waits of programs were in calls that lock-step does not know: what they waited for is "
-        "not known either",
-        network.lockstep->counts.unknown));
+    lines.push_back(
+        fmt::format("{} waits of programs were in system calls that lock-step does not support, so "
+                    "their ends depend on this computer",
+                    network.lockstep->counts.unknown));
   }
   return lines;
 }

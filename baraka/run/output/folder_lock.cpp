@@ -42,7 +42,7 @@ int open_lock(const fs::path& file, const fs::path& folder) {
       status.st_uid != ::geteuid()) {
     ::close(descriptor);
     throw std::runtime_error(
-        fmt::format("{}: is no lock of this user's; remove it", file.string()));
+        fmt::format("{}: is not a lock of this user; remove it", file.string()));
   }
   return descriptor;
 }

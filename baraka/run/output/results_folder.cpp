@@ -122,8 +122,8 @@ void require_result_or_nothing(const fs::path& folder) {
   }
   if (foreign.size() > kShown) names += fmt::format(" and {} more", foreign.size() - kShown);
   throw gateway::process::UsageError(
-      fmt::format("{}: holds what no run wrote, and stays as it is: {}; give another --out, or "
-                  "move that away",
+      fmt::format("{}: contains files that no run wrote, so it is left as it is: {}; give another "
+                  "--out, or move them away",
                   folder.string(), names));
 }
 

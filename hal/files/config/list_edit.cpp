@@ -106,7 +106,7 @@ std::string list_mistake(const Node& list, const Entry& entry) {
   if (entry.key == "add") return "add must be a list of items, not " + kind_name(entry.value);
   if (entry.key == "remove") return "remove must be a list of names, not " + kind_name(entry.value);
   const std::size_t size = list.items.size();
-  return fmt::format("'{}' is no item: the list has {}{}", entry.key, size,
+  return fmt::format("'{}' is not an item: the list has {}{}", entry.key, size,
                      size > 0 ? fmt::format(", 0 to {}", size - 1) : "");
 }
 

@@ -134,7 +134,7 @@ void Loader::resolve(Node& node, const std::string& path, int depth) {
     if (depth > kDeepestInclude) {
       return give_up(
           target, path,
-          fmt::format("stands in {} mappings; at most {} are read", depth, kDeepestInclude));
+          fmt::format("is nested in {} mappings; at most {} are allowed", depth, kDeepestInclude));
     }
     include(node, target, path);
     if (!complete_) return;
@@ -161,10 +161,10 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
     return give_up(target, path, "must be the path of a file, not " + kind_name(target));
   }
   if (files_ >= kMostFiles) {
-    return give_up(target, path,
-                   fmt::format("is file {}; at most {} are read: do they include "
-                               "each other more than once?",
-                               files_ + 1, kMostFiles));
+    return give_up(
+        target, path,
+        fmt::format("is file {}; at most {} are read: do they include each other more than once?",
+                    files_ + 1, kMostFiles));
   }
   const fs::path file = located(target);
   const std::string absent =
@@ -179,7 +179,7 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
                               : std::vector<std::string>{};
   if (!circle.empty()) {
     return give_up(target, path,
-                   fmt::format("goes in a circle: {}", fmt::join(names(circle), " -> ")));
+                   fmt::format("includes itself: {}", fmt::join(names(circle), " -> ")));
   }
   const bool by_file = target.place.layer == Layer::kFile;
   included_.push_back({file.string(), path, target.place.text()});

@@ -392,7 +392,7 @@ void Mapping::finish() {
     const std::string meant = suggestion(entry.key, order_);
     const std::string others =
         order_.empty()
-            ? "; nothing may stand here"
+            ? "; no key is allowed here"
             : fmt::format("{}nown here: {}", meant.empty() ? "; k" : " K", fmt::join(order_, ", "));
     problems_->add(entry.place, path_of(entry.key),
                    fmt::format("is not a known key{}{}", meant, others));

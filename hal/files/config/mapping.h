@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -11,7 +9,6 @@
 #include <vector>
 
 #include "hal/files/config/key.h"
-#include "hal/types/check.h"
 #include "hal/types/geometry.h"
 #include "hal/types/time.h"
 
@@ -104,21 +101,6 @@ class Mapping {
   /// A list of texts; absent: empty.
   std::vector<Scalar> texts(const Key& key);
 
-  /// One of several names; nullopt if the key is missing or has another value.
-  template <class E, std::size_t kSize>
-  std::optional<E> choice(const Key& key, const std::array<Option<E>, kSize>& options) {
-    const auto index = chosen(key, names(options), std::nullopt);
-    return index ? std::optional<E>{options[*index].value} : std::nullopt;
-  }
-  template <class E, std::size_t kSize>
-  E choice(const Key& key, const std::array<Option<E>, kSize>& options, E otherwise) {
-    const auto other = std::ranges::find(options, otherwise, &Option<E>::value);
-    BARAKA_CHECK(other != options.end());  // a file must be able to state the default
-    const auto index =
-        chosen(key, names(options), static_cast<std::size_t>(other - options.begin()));
-    return index ? options[*index].value : otherwise;
-  }
-
   /// The index of one of several names.
   std::size_t choice(const Key& key, std::vector<std::string> names, std::size_t otherwise) {
     return chosen(key, std::move(names), otherwise).value_or(otherwise);
@@ -175,14 +157,6 @@ class Mapping {
   void finish();
 
  private:
-  template <class E, std::size_t kSize>
-  static std::vector<std::string> names(const std::array<Option<E>, kSize>& options) {
-    std::vector<std::string> result;
-    result.reserve(kSize);
-    for (const Option<E>& option : options) result.emplace_back(option.name);
-    return result;
-  }
-
   Mapping inner(const Node& node, const std::string& path);
   Mapping inner_of(const std::string& key);
   std::vector<Mapping> inner_list(const std::string& key);

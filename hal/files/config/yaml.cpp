@@ -152,10 +152,10 @@ Node parse_yaml(const std::string& text, const Place& origin, std::vector<Proble
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const TooManyValues& error) {
-    problems.push_back({error.place, "",
-                        fmt::format("has more values than the {} that are read "
-                                    "of a file and all that it includes",
-                                    kMostValues)});
+    problems.push_back(
+        {error.place, "",
+         fmt::format("has more values than the {} that are read of a file and all that it includes",
+                     kMostValues)});
     return {};
   } catch (const YAML::Exception& error) {
     Place here = origin;

@@ -19,10 +19,10 @@ using node::devices::BodyCylinder;
 using node::devices::MoteDescription;
 using node::devices::RobotDescription;
 
-const Key kCollision{"collision", "Upright, solid shapes that make the body; at least one.",
-                     "[{cylinder: {radius: 18 cm, bottom: 2 cm, top: 21 cm}, mass: 9 kg}]",
-                     config::kMustBeGiven};
-const Key kShapeMass{"mass", "Of the shape, which is solid and homogeneous.", "9 kg"};
+const Key kCollision{
+    "collision", "The solid shapes that make up the body, each upright; at least one.",
+    "[{cylinder: {radius: 18 cm, bottom: 2 cm, top: 21 cm}, mass: 9 kg}]", config::kMustBeGiven};
+const Key kShapeMass{"mass", "Mass of the shape, which is solid and has uniform density.", "9 kg"};
 
 constexpr Range kSize{1e-3, 10};       // m
 constexpr Range kHeight{0, 10};        // m, above the ground
@@ -33,34 +33,38 @@ constexpr Range kFriction{0, 100};
 constexpr Range kAcceleration{1e-3, 1e3};
 
 void acceleration_keys(Fields& io, AccelerationLimits& c) {
-  io.number({"linear_up", "How fast the speed may grow.", "0.8 m/s^2"}, "m/s^2", kAcceleration,
-            c.linear_up);
-  io.number({"linear_down", "How fast the speed may fall.", "1.5 m/s^2"}, "m/s^2", kAcceleration,
-            c.linear_down);
-  io.number({"angular_up", "How fast the rate of turn may grow.", "1.6 rad/s^2"}, "rad/s^2",
-            kAcceleration, c.angular_up);
-  io.number({"angular_down", "How fast the rate of turn may fall.", "3.14 rad/s^2"}, "rad/s^2",
-            kAcceleration, c.angular_down);
+  io.number({"linear_up", "Largest rate at which the commanded speed may rise.", "0.8 m/s^2"},
+            "m/s^2", kAcceleration, c.linear_up);
+  io.number({"linear_down", "Largest rate at which the commanded speed may fall.", "1.5 m/s^2"},
+            "m/s^2", kAcceleration, c.linear_down);
+  io.number(
+      {"angular_up", "Largest rate at which the commanded turning rate may rise.", "1.6 rad/s^2"},
+      "rad/s^2", kAcceleration, c.angular_up);
+  io.number({"angular_down", "Largest rate at which the commanded turning rate may fall.",
+             "3.14 rad/s^2"},
+            "rad/s^2", kAcceleration, c.angular_down);
 }
 
 void keys_of(Fields& io, BodyCylinder& c) {
-  io.needed({"radius", "Of the cylinder.", "18 cm"}, "m", kSize, c.radius);
+  io.needed({"radius", "Radius of the cylinder.", "18 cm"}, "m", kSize, c.radius);
   io.needed({"bottom", "Height of its lower face above the ground.", "2 cm"}, "m", kHeight,
             c.z_bottom);
   io.needed({"top", "Height of its upper face, above `bottom`.", "21 cm"}, "m", kHeight, c.z_top);
   if (c.z_top <= c.z_bottom) io.mistake("top", "must be above bottom");
-  io.vec2({"centre", "Of the cylinder, seen from the body's origin.", "[0 m, 0 m]"}, "m", kOffset,
+  io.vec2({"centre", "Centre of the cylinder in the body frame.", "[0 m, 0 m]"}, "m", kOffset,
           c.centre);
 }
 
 void keys_of(Fields& io, BodyBox& c) {
-  io.needed({"size", "Of the box along its own axes.", "[20 cm, 10 cm, 5 cm]"}, "m", kSize, c.size);
-  io.needed(
-      {"centre", "Of the box, seen from the body's origin on the ground.", "[5 cm, 0 m, 10 cm]"},
-      "m", kOffset, c.centre);
+  io.needed({"size", "Lengths of the box's edges along its own axes.", "[20 cm, 10 cm, 5 cm]"}, "m",
+            kSize, c.size);
+  io.needed({"centre", "Centre of the box in the body frame, whose origin is on the ground.",
+             "[5 cm, 0 m, 10 cm]"},
+            "m", kOffset, c.centre);
   if (c.centre.z < c.size.z / 2) io.mistake("centre", "the box reaches into the ground");
-  io.number({"yaw", "By which the box is turned, seen from above.", "45 deg"}, "rad", kAngle,
-            c.yaw);
+  io.number({"yaw", "Rotation of the box about the vertical, counter-clockwise seen from above.",
+             "45 deg"},
+            "rad", kAngle, c.yaw);
 }
 
 using Shape = std::variant<std::monostate, BodyCylinder, BodyBox>;  ///< monostate: a mistake.
@@ -104,7 +108,10 @@ void collision_key(Fields& io, RobotDescription& robot) {
 }
 
 void link_keys(Fields& io, RobotDescription& robot) {
-  io.number({"friction", "Coefficient of the body against walls, motes and other robots.", "0.3"},
+  io.number({"friction",
+             "Coefficient of friction of the body's surface. Where two bodies touch, the lower "
+             "coefficient of the two counts.",
+             "0.3"},
             "1", kFriction, robot.friction);
   collision_key(io, robot);
 }
@@ -114,15 +121,16 @@ void link_keys(Fields& io, RobotDescription& robot) {
 void keys_of(Fields& io, RobotDescription& robot) {
   version_key(io);
   io.needed_text({"model", "Name of the kind of robot.", "robertino"}, robot.model);
-  io.inside({"link", "The body: shapes that touch things, and their mass."},
+  io.inside({"link", "The body: its collision shapes with their masses, and its friction."},
             [&](Fields& link) { link_keys(link, robot); });
-  io.inside({"wheels", "What the robot stands and drives on."},
+  io.inside({"wheels", "The wheels and casters on which the robot stands and drives."},
             [&](Fields& wheels) { wheels_keys(wheels, robot.wheels); });
-  io.inside({"acceleration", "How fast the motor controller lets a commanded velocity change."},
-            [&](Fields& acceleration) { acceleration_keys(acceleration, robot.acceleration); });
-  io.count({"encoder_steps", "Steps of the encoder per turn of a wheel; 0: continuous.", "4000"}, 0,
-           1'000'000, robot.encoder_steps);
-  io.inside({"infrared", "Infrared rangers around the body."},
+  io.inside(
+      {"acceleration", "Limits of the motor controller on changes of the commanded velocity."},
+      [&](Fields& acceleration) { acceleration_keys(acceleration, robot.acceleration); });
+  io.count({"encoder_steps", "Encoder steps per turn of a wheel; 0: unlimited resolution.", "4000"},
+           0, 1'000'000, robot.encoder_steps);
+  io.inside({"infrared", "Infrared range sensors around the body."},
             [&](Fields& infrared) { infrared_keys(infrared, robot.infrared); });
   sensor_keys(io, robot.sensors);
 }
@@ -130,9 +138,14 @@ void keys_of(Fields& io, RobotDescription& robot) {
 void keys_of(Fields& io, MoteDescription& c) {
   version_key(io);
   io.needed_text({"model", "Name of the kind of mote.", "mote"}, c.model);
-  io.needed({"size", "Of the box that the mote is.", "[5 cm, 5 cm, 5 cm]"}, "m", kMoteSize, c.size);
-  io.number({"mass", "Of the mote.", "50 g"}, "kg", kMoteMass, c.mass);
-  io.number({"friction", "Coefficient against everything.", "0.6"}, "1", kFriction, c.friction);
+  io.needed({"size", "Lengths of the edges of the mote, which is a box.", "[5 cm, 5 cm, 5 cm]"},
+            "m", kMoteSize, c.size);
+  io.number({"mass", "Mass of the mote.", "50 g"}, "kg", kMoteMass, c.mass);
+  io.number({"friction",
+             "Coefficient of friction of the mote's surface. Where two bodies touch, the lower "
+             "coefficient of the two counts.",
+             "0.6"},
+            "1", kFriction, c.friction);
   sensor_keys(io, c.sensors);
 }
 

@@ -7,12 +7,12 @@ namespace hal::files::description {
 void version_key(Fields& io) {
   if (io.is_writing()) return;
   int version = 1;
-  io.count({"version", "Of the format of this file.", "1"}, 1, 1, version);
+  io.count({"version", "Version of the file format.", "1"}, 1, 1, version);
 }
 
 void needed_version_key(Fields& io) {
   int version = 1;
-  io.needed_count({"version", "Of the format of this file.", "1"}, 1, 1, version);
+  io.needed_count({"version", "Version of the file format.", "1"}, 1, 1, version);
 }
 
 void FieldReader::inside(const Key& key, const std::function<void(Fields&)>& body) {

@@ -45,16 +45,6 @@ class FieldWriter final : public Fields {
   using Fields::own;
   explicit FieldWriter(Writer& out) : out_(out) {}
 
-  /// For constants.
-  template <class E, std::size_t kSize>
-  void choice(const Key& key, const std::array<Option<E>, kSize>& options, E value) {
-    Fields::choice(key, options, value);
-  }
-  template <class Q>
-  void quantity(const Key& key, std::string_view unit, Range range, Q value) {
-    Fields::quantity(key, unit, range, value);
-  }
-
   bool is_writing() const override { return true; }
   void inside(const Key& key, const std::function<void(Fields&)>& body) override;
   void own(const Key& key, const Form& form, const std::function<void(Mapping&)>& read,

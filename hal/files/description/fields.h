@@ -79,15 +79,11 @@ class Fields {
   }
   template <class Integer>
   void count(const Key& key, std::int64_t low, std::int64_t high, Integer& value) {
-    auto given = static_cast<std::int64_t>(value);
-    field({key, "", {}, Whole{low, high, &given}});
-    value = static_cast<Integer>(given);
+    whole(key, low, high, value, Presence::kOtherwise);
   }
   template <class Integer>
   void needed_count(const Key& key, std::int64_t low, std::int64_t high, Integer& value) {
-    auto given = static_cast<std::int64_t>(value);
-    field({key, "", {}, Whole{low, high, &given}, Presence::kNeeded});
-    value = static_cast<Integer>(given);
+    whole(key, low, high, value, Presence::kNeeded);
   }
   void duration(const Key& key, Range seconds, Duration& value) {
     field({key, "s", seconds, &value});
@@ -110,50 +106,30 @@ class Fields {
   /// @tparam Options  a range of Option<E>, or of anything with its members.
   template <class Options, class E>
   void choice(const Key& key, const Options& options, E& value) {
-    const auto found = find(options, value);
-    BARAKA_CHECK(found != options.end());  // a file must be able to state it
-    auto index = static_cast<std::size_t>(found - options.begin());
-    field({key, "", {}, Choice{names(options), &index}});
-    value = options[index].value;
+    one_of_options(key, options, value, Presence::kOtherwise);
   }
-
   /// A required choice.
   template <class Options, class E>
   void needed_choice(const Key& key, const Options& options, E& value) {
-    const auto found = find(options, value);
-    BARAKA_CHECK(found != options.end());
-    auto index = static_cast<std::size_t>(found - options.begin());
-    field({key, "", {}, Choice{names(options), &index}, Presence::kNeeded});
-    value = options[index].value;
+    one_of_options(key, options, value, Presence::kNeeded);
   }
 
-  /// A member that has a value only if the key is present: a Quantity, a Duration, an integer or an
-  /// option. Without the key it is unchanged, and nullopt is not written. Each returns whether a
-  /// value was read.
-  template <class Q>
-  bool given(const Key& key, std::string_view unit, Range range, std::optional<Q>& value) {
-    double given = value ? value->value : range.low;
-    const bool is_read = field_given({key, unit, range, &given}, value.has_value());
-    if (is_read) value = Q{given};
-    return is_read;
-  }
-  bool given(const Key& key, std::string_view unit, Range range, std::optional<double>& value) {
-    double given = value.value_or(range.low);
-    const bool is_read = field_given({key, unit, range, &given}, value.has_value());
-    if (is_read) value = given;
-    return is_read;
-  }
-  bool given(const Key& key, std::string_view unit, Range range, std::optional<Vec2>& value) {
-    Vec2 given = value.value_or(Vec2{});
-    const bool is_read = field_given({key, unit, range, &given}, value.has_value());
+  /// A member that has a value only if the key is present: a Quantity, a double, a Vec2, a
+  /// Duration, an integer or an option. Without the key it is unchanged, and nullopt is not
+  /// written. Each returns whether a value was read.
+  template <class T>
+  bool given(const Key& key, std::string_view unit, Range range, std::optional<T>& value) {
+    T given = value.value_or(T{});
+    auto& number = number_of(given);
+    if constexpr (std::is_same_v<decltype(number), double&>) {
+      if (!value) number = range.low;
+    }
+    const bool is_read = field_given({key, unit, range, &number}, value.has_value());
     if (is_read) value = given;
     return is_read;
   }
   bool given(const Key& key, Range seconds, std::optional<Duration>& value) {
-    Duration given = value.value_or(Duration{});
-    const bool is_read = field_given({key, "s", seconds, &given}, value.has_value());
-    if (is_read) value = given;
-    return is_read;
+    return given(key, "s", seconds, value);
   }
   template <class Integer>
   bool given_count(const Key& key, std::int64_t low, std::int64_t high,
@@ -260,7 +236,7 @@ class Fields {
     if (reading() != nullptr) value = found->make();
     inside(found->key, [&](Fields& io) { body(io, value); });
     for (const Alternative<V>& other : alternatives) {
-      if (&other != &*found) unused(other.key.name, "cannot stand beside " + found->key.name);
+      if (&other != &*found) unused(other.key.name, "cannot be combined with " + found->key.name);
     }
     return true;
   }
@@ -315,9 +291,7 @@ class Fields {
   template <class Options, class E>
   void choice(const Key& key, const Options& options, E& value,
               const std::function<void(Fields&)>& body) {
-    const auto found = find(options, value);
-    BARAKA_CHECK(found != options.end());
-    const auto index = static_cast<std::size_t>(found - options.begin());
+    const std::size_t index = index_in(options, value);
     kind_field(key, names(options), index, Presence::kOtherwise, [&](Fields& io, std::size_t kind) {
       value = options[kind].value;
       body(io);
@@ -381,6 +355,35 @@ class Fields {
   };
 
  private:
+  /// The number itself, or that of a Quantity.
+  template <class T>
+  static auto& number_of(T& value) {
+    if constexpr (requires { value.value; }) {
+      return value.value;
+    } else {
+      return value;
+    }
+  }
+  template <class Integer>
+  void whole(const Key& key, std::int64_t low, std::int64_t high, Integer& value,
+             Presence presence) {
+    auto given = static_cast<std::int64_t>(value);
+    field({key, "", {}, Whole{low, high, &given}, presence});
+    value = static_cast<Integer>(given);
+  }
+  template <class Options, class E>
+  void one_of_options(const Key& key, const Options& options, E& value, Presence presence) {
+    std::size_t index = index_in(options, value);
+    field({key, "", {}, Choice{names(options), &index}, presence});
+    value = options[index].value;
+  }
+  /// Of a value that is among the options: a file must be able to state it.
+  template <class Options, class E>
+  static std::size_t index_in(const Options& options, const E& value) {
+    const auto found = find(options, value);
+    BARAKA_CHECK(found != options.end());
+    return static_cast<std::size_t>(found - options.begin());
+  }
   template <class Options, class E>
   static auto find(const Options& options, const E& value) {
     return std::ranges::find_if(options, [&](const auto& one) { return one.value == value; });

@@ -16,8 +16,8 @@ using node::devices::InfraredSensor;
 void converter_keys(Fields& io, Converter& c) {
   io.count({"bits", "Resolution of the analog-to-digital converter; 0: continuous.", "10"}, 0, 24,
            c.bits);
-  io.number({"full_scale", "Voltage of the converter's largest number.", "5 V"}, "V", {0.1, 100},
-            c.full_scale);
+  io.number({"full_scale", "Input voltage at which the converter gives its largest number.", "5 V"},
+            "V", {0.1, 100}, c.full_scale);
 }
 
 enum class CurveName { kGp2d12, kGp2d120, kTable };
@@ -26,12 +26,13 @@ constexpr std::array kCurves = {Option<CurveName>{"gp2d12", CurveName::kGp2d12},
                                 Option<CurveName>{"table", CurveName::kTable}};
 
 const Key kCurve{"curve",
-                 "What the sensor puts out at which distance: a Sharp sensor's, or the `table`.",
+                 "Output voltage by distance: that of a Sharp GP2D12 or GP2D120, or the `table`.",
                  "gp2d12", "gp2d12"};
 
 void point_keys(Fields& io, CurvePoint& point) {
-  io.needed({"distance", "To the object.", "10 cm"}, "m", {1e-3, 100}, point.metres);
-  io.needed({"output", "Of the sensor at that distance.", "2.3 V"}, "V", {0, 100}, point.volts);
+  io.needed({"distance", "Distance from the sensor to the object.", "10 cm"}, "m", {1e-3, 100},
+            point.metres);
+  io.needed({"output", "Output voltage at that distance.", "2.3 V"}, "V", {0, 100}, point.volts);
 }
 
 CurveName name_of(const InfraredCurve& curve) {
@@ -41,7 +42,9 @@ CurveName name_of(const InfraredCurve& curve) {
 
 void table_key(Fields& io, InfraredCurve& curve) {
   std::vector<CurvePoint> points(curve.points().begin(), curve.points().end());
-  io.list<CurvePoint>({"table", "Points of the curve, by distance; the output falls.",
+  io.list<CurvePoint>({"table",
+                       "Points of the output curve in order of increasing distance; the output "
+                       "must fall from each to the next.",
                        "[{distance: 10 cm, output: 2.3 V}, {distance: 40 cm, output: 0.7 V}]"},
                       points, point_keys);
   if (io.reading() == nullptr) return;
@@ -63,26 +66,28 @@ void curve_keys(Fields& io, InfraredCurve& curve) {
 
 /// All keys except those of the mounting.
 void sensor_keys(Fields& io, InfraredSensor& c) {
-  io.number({"height", "Of the horizontal beam above the ground.", "4 cm"}, "m", {0, 10},
+  io.number({"height", "Height of the horizontal beam above the ground.", "4 cm"}, "m", {0, 10},
             c.position.z);
-  io.number({"half_angle", "Half the angle of the sector that the sensor sees.", "2.5 deg"}, "rad",
-            {0, 1.57}, c.half_angle);
-  io.number({"noise_sigma", "Standard deviation of the output.", "15 mV"}, "V", {0, 5},
-            c.noise_sigma);
+  io.number({"half_angle",
+             "Half of the sensor's field of view in the horizontal plane; 0 rad: a single ray.",
+             "2.5 deg"},
+            "rad", {0, 1.57}, c.half_angle);
+  io.number({"noise_sigma", "Standard deviation of the noise on the output voltage.", "15 mV"}, "V",
+            {0, 5}, c.noise_sigma);
   io.duration({"hold_period",
-               "Between two measurements of the sensor; 0 s: it measures when asked.", "38.3 ms"},
+               "Time between two measurements; 0 s: a new measurement at each reading.", "38.3 ms"},
               {0, 10}, c.hold_period);
   curve_keys(io, c.curve);
-  io.inside({"converter", "The analog-to-digital converter behind the sensor."},
+  io.inside({"converter", "The analog-to-digital converter that reads the sensor."},
             [&](Fields& converter) { converter_keys(converter, c.converter); });
 }
 
 void mount_keys(Fields& io, InfraredSensor& c) {
   Vec2 position{c.position.x, c.position.y};
-  mounting_keys(
-      io,
-      {"heading", "Direction in which the sensor looks.", "60 deg", "the bearing of the position"},
-      position, c.heading);
+  mounting_keys(io,
+                {"heading", "Direction in which the sensor points, in the body frame.", "60 deg",
+                 "the bearing of the position"},
+                position, c.heading);
   c.position.x = position.x;
   c.position.y = position.y;
   sensor_keys(io, c);
@@ -93,11 +98,13 @@ void mount_keys(Fields& io, InfraredSensor& c) {
 void infrared_keys(Fields& io, std::vector<InfraredSensor>& sensors) {
   InfraredSensor common;
   io.written_if(false, [&](Fields& read) {
-    read.inside({"sensor", "What all sensors have in common."},
+    read.inside({"sensor", "Properties that all sensors share."},
                 [&](Fields& all) { sensor_keys(all, common); });
   });
   io.list<InfraredSensor>(
-      {"mounts", "The sensors, each where it is and how it differs from `sensor`.",
+      {"mounts",
+       "The sensors: the mounting position of each, and the properties in which it differs from "
+       "`sensor`.",
        "[{distance: 23 cm, bearing: 0 deg}, {distance: 23 cm, bearing: 60 deg}]"},
       sensors, mount_keys, common);
 }

@@ -20,10 +20,11 @@ constexpr std::array<std::string_view, 11> kTaken{
 
 void name_key(Fields& io, node::devices::Mount& mount) {
   const std::string usual = mount.name;
-  io.text({"name", "Of the sensor's channel, topic and frame.", usual}, mount.name);
-  if (!may_be_named(mount.name)) {
-    io.mistake("name", "must be a letter, then letters, digits, '_' or '-'");
-  } else if (mount.name != usual && std::ranges::find(kTaken, mount.name) != kTaken.end()) {
+  io.text(
+      {"name", "Name of the sensor, which is also that of its channel, topic and frame.", usual},
+      mount.name);
+  check_name(io, mount.name);
+  if (mount.name != usual && std::ranges::find(kTaken, mount.name) != kTaken.end()) {
     io.mistake("name",
                "'" + mount.name + "' is the name of another channel or topic of every robot");
   }
@@ -31,11 +32,11 @@ void name_key(Fields& io, node::devices::Mount& mount) {
 
 void keys_of(Fields& io, node::devices::Mount& mount) {
   name_key(io, mount);
-  io.vec3({"position", "Of the sensor, seen from the body's origin on the ground.",
+  io.vec3({"position", "Position of the sensor in the body frame, whose origin is on the ground.",
            "[-3.2 cm, 0 m, 18.2 cm]", "[0 m, 0 m, 0 m]"},
           "m", kOffset, mount.position);
-  io.number({"heading", "Where the sensor looks; the body's x axis is 0.", "180 deg"}, "rad",
-            kAngle, mount.heading);
+  io.number({"heading", "Direction in which the sensor points; 0 is the body's x axis.", "180 deg"},
+            "rad", kAngle, mount.heading);
 }
 
 }  // namespace hal::files::description

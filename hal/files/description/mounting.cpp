@@ -7,9 +7,13 @@ namespace {
 
 void polar_keys(Fields& io, Vec2& position, double& bearing) {
   double distance = 0;
-  io.needed({"distance", "From the body's origin.", "13 cm"}, "m", {0, kOffset.high}, distance);
-  io.needed({"bearing", "Direction from the body's origin; x is 0, y is 90 deg.", "60 deg"}, "rad",
-            kAngle, bearing);
+  io.needed({"distance", "Distance from the origin of the body frame.", "13 cm"}, "m",
+            {0, kOffset.high}, distance);
+  io.needed(
+      {"bearing",
+       "Direction seen from the origin of the body frame: 0 is the x axis, 90 deg the y axis.",
+       "60 deg"},
+      "rad", kAngle, bearing);
   if (io.reading() != nullptr)
     position = {distance * math::cos(bearing), distance * math::sin(bearing)};
 }
@@ -28,7 +32,7 @@ void mounting_keys(Fields& io, const Key& heading, Vec2& position, double& angle
   }
   io.only(!is_polar, {"distance", {"absent"}}, "is given twice: also by distance and bearing",
           [&](Fields& cartesian) {
-            cartesian.needed({"position", "Seen from the body's origin.", "[10 cm, 5 cm]"}, "m",
+            cartesian.needed({"position", "Position in the body frame.", "[10 cm, 5 cm]"}, "m",
                              kOffset, position);
           });
   if (in != nullptr) angle = is_polar ? bearing : math::atan2(position.y, position.x);

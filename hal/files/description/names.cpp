@@ -1,5 +1,7 @@
 #include "hal/files/description/names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace hal::files::description {
@@ -16,6 +18,16 @@ bool are_name_characters(std::string_view text) {
 
 bool may_be_named(std::string_view name) {
   return !name.empty() && is_letter(name.front()) && are_name_characters(name);
+}
+
+void check_name(Fields& io, std::string_view name) {
+  if (name.empty() || may_be_named(name)) return;
+  io.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-' after a letter", name));
+}
+
+void check_folder_name(Fields& io, std::string_view name) {
+  if (are_name_characters(name)) return;
+  io.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-'", name));
 }
 
 }  // namespace hal::files::description

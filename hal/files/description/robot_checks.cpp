@@ -40,10 +40,11 @@ void check_stability(Mapping& wheels, const RobotDescription& robot, double grav
   const Vec3& centre = stability.centre_of_mass;
   if (stability.inside < kFlush) {
     wheels.mistake(
-        "joints", fmt::format("the centre of mass at ({:.3f}, {:.3f}) m is {} the wheels: the "
-                              "robot would tip over",
-                              centre.x, centre.y,
-                              stability.inside < 0 ? "not between" : "on the line between two of"));
+        "joints",
+        fmt::format(
+            "the centre of mass at ({:.3f}, {:.3f}) m is {} the wheels: the robot would tip over",
+            centre.x, centre.y,
+            stability.inside < 0 ? "not between" : "on the line between two of"));
   } else if (gravity > 0 && stability.tips_over) {
     wheels.mistake("joints", "the robot would tip over when it reverses: " + lifts(stability));
   } else if (gravity > 0 && stability.driving > (1 - kSpare) * stability.lifting) {
@@ -57,13 +58,12 @@ void check_stability(Mapping& wheels, const RobotDescription& robot, double grav
 void check_motions(Mapping& wheels, const node::devices::WheelDrive& drive) {
   if (drive.degrees_of_freedom() > 1) return;
   const Twist2 only = drive.limits();
-  wheels.warn(
-      "joints",
-      fmt::format(
-          "the robot can {}: its fixed wheels, which do not slip sideways, have axles on "
-          "more than one line. What a velocity holds beside that is left out; if corner "
-          "wheels are omni, it turns, too",
-          only.omega == 0 ? "only drive straight and never turn" : "drive one circle only"));
+  wheels.warn("joints",
+              fmt::format("the robot can {}: its fixed wheels, which do not slip sideways, have "
+                          "axles on more than one line. What a velocity holds beside that is left "
+                          "out; if corner wheels are omni, it turns, too",
+                          only.omega == 0 ? "only drive straight and never turn"
+                                          : "drive one circle only"));
 }
 
 void check_wheels(Mapping wheels, const RobotDescription& robot, double gravity) {

@@ -20,7 +20,7 @@ std::string meaning_of_kind() {
     all += all.empty() ? "" : ", ";
     all += one.name;
   }
-  return "Of the sensor: " + all + ".";
+  return "Kind of sensor: " + all + ".";
 }
 
 /// @param all  the sensors so far, including this one.
@@ -39,8 +39,8 @@ void sensor_keys(Fields& io, std::vector<SensorDescription>& sensors) {
   const std::string meaning = meaning_of_kind();
   io.list_if_any<SensorDescription>(
       {"sensors",
-       "Further sensors, each a channel of its own. `{add: [sensors], remove: [names]}` changes "
-       "the list of an included file.",
+       "Further sensors, each with a channel of its own. `{add: [sensors], remove: [names]}` "
+       "changes the list of an included file.",
        "[{kind: scan, position: [0 m, 0 m, 20 cm], min_range: 12 cm, max_range: 3.5 m}]"},
       sensors, [&](Fields& one, SensorDescription& sensor) {
         one.kinds({"kind", meaning, "scan"}, kKinds, sensor,

@@ -9,7 +9,7 @@ using node::devices::Wheel;
 using node::devices::WheelType;
 
 constexpr std::string_view kInWheelOrJoint =
-    "that of `wheel`; there, it may be absent if all driven `joints` have it";
+    "that of `wheel`, where it may be absent if all driven `joints` give it";
 
 constexpr Range kWheelSize{1e-3, 10};   // m
 constexpr Range kWheelMass{1e-3, 100};  // kg
@@ -25,42 +25,40 @@ constexpr std::array kTypes = {
     Option<WheelType>{"fixed", WheelType::kFixed}, Option<WheelType>{"caster", WheelType::kCaster}};
 
 void size_keys(Fields& io, Wheel& c) {
-  io.number({"radius", "Of the wheel.", "4 cm", kInWheelOrJoint}, "m", kWheelSize, c.radius);
-  io.number({"mass", "Of the wheel.", "200 g", kInWheelOrJoint}, "kg", kWheelMass, c.mass);
+  io.number({"radius", "Radius of the wheel.", "4 cm", kInWheelOrJoint}, "m", kWheelSize, c.radius);
+  io.number({"mass", "Mass of the wheel.", "200 g", kInWheelOrJoint}, "kg", kWheelMass, c.mass);
 }
 
 void grip_key(Fields& io, Wheel& c) {
-  io.number(
-      {"mu",
-       "Friction coefficient where the wheel grips: along its rolling direction, of a mecanum "
-       "wheel along the axis of its rollers, of a caster along its axis.",
-       "0.6", "0.6; of a caster 0.02"},
-      "1", c.is_driven() ? kGrip : kGlide, c.mu);
+  io.number({"mu",
+             "Coefficient of friction in the direction in which the wheel grips: its rolling "
+             "direction; for a mecanum wheel, the axis of its rollers; for a caster, its axis.",
+             "0.6", "0.6; 0.02 for a caster"},
+            "1", c.is_driven() ? kGrip : kGlide, c.mu);
 }
 
 void glide_key(Fields& io, Wheel& c) {
-  io.number({"mu2", "Friction coefficient across that, where rollers give way.", "0.02",
-             "0.02; of a fixed wheel and of a caster that of `mu`"},
+  io.number({"mu2", "Coefficient of friction at right angles to that, where rollers give way.",
+             "0.02", "0.02; that of `mu` for fixed wheels and casters"},
             "1", kGlide, c.mu2);
 }
 
 void limit_keys(Fields& io, Wheel& c) {
   io.number({"effort", "Largest torque of the motor at the wheel.", "1 N m", kInWheelOrJoint},
             "N m", {1e-3, 1e4}, c.max_torque);
-  io.number({"velocity", "Largest speed of the wheel.", "23.5 rad/s", kInWheelOrJoint}, "rad/s",
-            {1e-3, 1e4}, c.max_speed);
+  io.number({"velocity", "Largest angular speed of the wheel.", "23.5 rad/s", kInWheelOrJoint},
+            "rad/s", {1e-3, 1e4}, c.max_speed);
   io.number({"stall_power",
-             "What the motor takes from the battery at standstill with the full effort: all of it "
-             "heats the winding.",
+             "Power that the motor draws from the battery at standstill with full torque; all of "
+             "it heats the winding.",
              "14 W"},
             "W", {0, 1e6}, c.stall_power);
 }
 
-const Key kRollerAngle{
-    "roller_angle",
-    "From the rolling direction, axis + 90 deg, to the axis of the roller on the ground, seen from "
-    "above.",
-    "-45 deg"};
+const Key kRollerAngle{"roller_angle",
+                       "Angle from the rolling direction (axis + 90 deg) to the axis of the roller "
+                       "that touches the ground, seen from above.",
+                       "-45 deg"};
 
 /// @param glides  whether `mu2` is given for all wheels.
 void friction_keys(Fields& io, Wheel& c, bool glides) {
@@ -71,7 +69,7 @@ void friction_keys(Fields& io, Wheel& c, bool glides) {
 }
 
 void motor_keys(Fields& io, Wheel& c) {
-  io.inside({"limit", "What the wheel's motor can do."},
+  io.inside({"limit", "Limits of the wheel's motor."},
             [&](Fields& limit) { limit_keys(limit, c); });
 }
 
@@ -79,8 +77,8 @@ void motor_keys(Fields& io, Wheel& c) {
 void common_keys(Fields& io, Wheel& c) {
   static constexpr std::array kAlike{kTypes[0], kTypes[2]};
   io.choice({"type",
-             "Of the `joints` that have none of their own; a mecanum wheel's stands beside its "
-             "`roller_angle`.",
+             "Type of the `joints` that give none. A mecanum wheel gives it in `joints`, beside "
+             "its `roller_angle`.",
              "fixed"},
             kAlike, c.type);
   size_keys(io, c);
@@ -125,19 +123,21 @@ Wheel caster_at(const Wheel& place) {
 
 /// @param all  the mapping of the robot's wheels when reading; otherwise null.
 void joint_keys(Fields& io, Wheel& c, Mapping* all) {
-  mounting_keys(io, {"axis", "Direction of the axle.", "60 deg", "the bearing of the position"},
-                c.position, c.axle_heading);
+  mounting_keys(
+      io,
+      {"axis", "Direction of the axle in the body frame.", "60 deg", "the bearing of the position"},
+      c.position, c.axle_heading);
   const bool glides = all != nullptr && all->within("wheel").has("mu2");
   const auto keys = [&](Fields& one) {
     if (!one.is_writing() && !c.is_driven()) c = caster_at(c);
     drive_keys(one, c, glides);
   };
-  io.choice(
-      {"type",
-       "omni: rollers let it give way along its axle; mecanum: at `roller_angle` to it; fixed: an "
-       "ordinary wheel; caster: a ball without a motor, which carries and goes anywhere.",
-       "fixed", "that of `wheel`, which is omni if it has none"},
-      kTypes, c.type, keys);
+  io.choice({"type",
+             "omni: rollers let the wheel slip along its axle; mecanum: rollers at `roller_angle`; "
+             "fixed: an ordinary wheel; caster: a ball without a motor, which supports the robot "
+             "and rolls in every direction.",
+             "fixed", "that of `wheel`, which is omni by default"},
+            kTypes, c.type, keys);
   if (all != nullptr) check_complete(*io.reading(), all->within("wheel"), c.is_driven());
 }
 
@@ -147,15 +147,15 @@ void wheels_keys(Fields& io, std::vector<Wheel>& wheels) {
   Wheel common;
   common.mu = kGripOfDriven;
   io.written_if(false, [&](Fields& read) {
-    read.inside({"wheel", "What all driven wheels have in common."},
+    read.inside({"wheel", "Properties that all driven wheels share."},
                 [&](Fields& all) { common_keys(all, common); });
   });
   io.list<Wheel>(
       {"joints",
-       "The wheels, casters included, at least three, each where it is and how it differs from "
-       "`wheel`.",
-       "[{distance: 13 cm, bearing: 60 deg}, {distance: 13 cm, bearing: 180 deg}, "
-       "{distance: 13 cm, bearing: 300 deg}]",
+       "The wheels and casters, at least three: the position of each, and the properties in which "
+       "it differs from `wheel`.",
+       "[{distance: 13 cm, bearing: 60 deg}, {distance: 13 cm, bearing: 180 deg}, {distance: 13 "
+       "cm, bearing: 300 deg}]",
        config::kMustBeGiven},
       wheels, [&](Fields& one, Wheel& wheel) { joint_keys(one, wheel, io.reading()); }, common);
   if (wheels.size() < 3) io.mistake("joints", "must have at least three wheels");

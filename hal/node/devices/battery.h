@@ -23,10 +23,12 @@ struct RadioPower {
 
 template <class Fields>
 void keys_of(Fields& io, RadioPower& c) {
-  io.number({"transmit", "While it transmits.", "1.3 W"}, "W", {0, 1e5}, c.transmit);
-  io.number({"receive", "While the medium is busy.", "0.9 W"}, "W", {0, 1e5}, c.receive);
-  io.number({"listen", "While the medium is idle.", "0.7 W"}, "W", {0, 1e5}, c.listen);
-  io.number({"off", "While it is off.", "0 W"}, "W", {0, 1e5}, c.off);
+  io.number({"transmit", "Power while the radio transmits.", "1.3 W"}, "W", {0, 1e5}, c.transmit);
+  io.number(
+      {"receive", "Power while the medium is busy, but the radio does not transmit.", "0.9 W"}, "W",
+      {0, 1e5}, c.receive);
+  io.number({"listen", "Power while the medium is idle.", "0.7 W"}, "W", {0, 1e5}, c.listen);
+  io.number({"off", "Power while the radio is switched off.", "0 W"}, "W", {0, 1e5}, c.off);
 }
 
 /// What happens to an agent whose battery is empty.
@@ -70,26 +72,30 @@ struct Battery {
 template <class Fields>
 void keys_of(Fields& io, Battery& c) {
   name_key(io, c.mount);
-  io.needed({"capacity", "Energy in the full battery.", "20 Wh"}, "J", {1e-6, 1e12}, c.capacity);
-  io.number({"charge", "At the start, as a share of the capacity.", "0.8"}, "1", {0, 1}, c.charge);
-  io.needed({"full_voltage", "Of the full battery, without load.", "12.6 V"}, "V", {0.1, 1e4},
-            c.full_voltage);
+  io.needed({"capacity", "Energy of the fully charged battery.", "20 Wh"}, "J", {1e-6, 1e12},
+            c.capacity);
+  io.number({"charge", "State of charge at the start, as a share of the capacity.", "0.8"}, "1",
+            {0, 1}, c.charge);
+  io.needed({"full_voltage", "Voltage of the full battery without load.", "12.6 V"}, "V",
+            {0.1, 1e4}, c.full_voltage);
   if (io.reading() != nullptr) c.empty_voltage = c.full_voltage;
-  io.number({"empty_voltage",
-             "Of the empty battery, without load; in between the voltage falls with the charge.",
-             "9.6 V", "that of `full_voltage`"},
-            "V", {0.1, 1e4}, c.empty_voltage);
-  io.number({"resistance", "Inside the battery.", "50 mohm"}, "ohm", {0, 1e6}, c.resistance);
-  io.number({"idle_power", "Of the computer and all else that is always on.", "4 W"}, "W", {0, 1e5},
-            c.idle_power);
+  io.number(
+      {"empty_voltage",
+       "Voltage of the empty battery without load; in between the voltage is linear in the charge.",
+       "9.6 V", "that of `full_voltage`"},
+      "V", {0.1, 1e4}, c.empty_voltage);
+  io.number({"resistance", "Internal resistance of the battery.", "50 mohm"}, "ohm", {0, 1e6},
+            c.resistance);
+  io.number({"idle_power", "Power of the computer and everything else that is always on.", "4 W"},
+            "W", {0, 1e5}, c.idle_power);
   io.choice({"when_empty",
-             "stay_up: only the gauge tells; off: radio, motors and all sensors but the gauge go "
-             "off at that instant, for good.",
+             "Effect of an empty battery. stay_up: none, only the gauge shows it; off: radio, "
+             "motors and all sensors but the gauge switch off at that instant and stay off.",
              "off"},
             kWhenEmptyNames, c.when_empty);
   if (c.empty_voltage > c.full_voltage)
     io.mistake("empty_voltage", "must not be above full_voltage");
-  io.inside({"radio", "What the radio draws from the battery."},
+  io.inside({"radio", "Power that the radio draws from the battery."},
             [&](Fields& radio) { keys_of(radio, c.radio); });
 }
 

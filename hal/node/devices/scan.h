@@ -40,14 +40,21 @@ void keys_of(Fields& io, ScanSensor& c) {
     c.rays = 360;
   }
   keys_of(io, c.mount);
-  io.number({"field", "Angle between the first and the last ray, half to each side of the heading.",
-             "270 deg", "360 deg"},
-            "rad", {0, kFullTurn}, c.field);
-  io.count({"rays", "In the field, evenly.", "360"}, 1, 10'000, c.rays);
-  io.needed({"min_range", "What is nearer is not measured.", "12 cm"}, "m", {0, 1000}, c.min_range);
-  io.needed({"max_range", "What is farther is not seen.", "3.5 m"}, "m", {1e-3, 1000}, c.max_range);
-  io.number({"noise_sigma", "Standard deviation of a range.", "1 cm"}, "m", {0, 10}, c.noise_sigma);
-  io.duration({"period", "Between two measurements; 0 s: it measures when asked.", "200 ms"},
+  io.number(
+      {"field",
+       "Field of view: angle between the first and the last ray, half on each side of the heading.",
+       "270 deg", "360 deg"},
+      "rad", {0, kFullTurn}, c.field);
+  io.count({"rays", "Number of rays, spread evenly over the field of view.", "360"}, 1, 10'000,
+           c.rays);
+  io.needed({"min_range", "Smallest distance that is measured.", "12 cm"}, "m", {0, 1000},
+            c.min_range);
+  io.needed({"max_range", "Largest distance that is measured.", "3.5 m"}, "m", {1e-3, 1000},
+            c.max_range);
+  io.number({"noise_sigma", "Standard deviation of the noise on a range.", "1 cm"}, "m", {0, 10},
+            c.noise_sigma);
+  io.duration({"period", "Time between two measurements; 0 s: a new measurement at each reading.",
+               "200 ms"},
               {0, 10}, c.period);
   if (c.max_range <= c.min_range) io.mistake("max_range", "must be above min_range");
 }

@@ -34,16 +34,20 @@ struct Sonar {
 template <class Fields>
 void keys_of(Fields& io, Sonar& c) {
   keys_of(io, c.mount);
-  io.needed({"half_angle", "Between the axis of the cone that the sensor sees and its surface.",
-             "15 deg"},
+  io.needed({"half_angle", "Half of the opening angle of the cone that the sensor sees.", "15 deg"},
             "rad", {1e-3, 1.5}, c.half_angle);
-  io.needed({"min_range", "What is nearer is not measured.", "2 cm"}, "m", {0, 1000}, c.min_range);
-  io.needed({"max_range", "What is farther is not seen.", "4 m"}, "m", {1e-3, 1000}, c.max_range);
-  io.number({"resolution", "Ranges are multiples of it; 0 m: continuous.", "3 mm"}, "m", {0, 10},
-            c.resolution);
-  io.number({"noise_sigma", "Standard deviation of a range.", "1 cm"}, "m", {0, 10}, c.noise_sigma);
-  io.duration({"period", "Between two measurements; 0 s: it measures when asked.", "60 ms"},
-              {0, 10}, c.period);
+  io.needed({"min_range", "Smallest distance that is measured.", "2 cm"}, "m", {0, 1000},
+            c.min_range);
+  io.needed({"max_range", "Largest distance that is measured.", "4 m"}, "m", {1e-3, 1000},
+            c.max_range);
+  io.number(
+      {"resolution", "Ranges are rounded to multiples of this; 0 m: unlimited resolution.", "3 mm"},
+      "m", {0, 10}, c.resolution);
+  io.number({"noise_sigma", "Standard deviation of the noise on a range.", "1 cm"}, "m", {0, 10},
+            c.noise_sigma);
+  io.duration(
+      {"period", "Time between two measurements; 0 s: a new measurement at each reading.", "60 ms"},
+      {0, 10}, c.period);
   if (c.max_range <= c.min_range) io.mistake("max_range", "must be above min_range");
 }
 

@@ -79,55 +79,63 @@ inline bool is_valid(const AntHocNetConfig& c) {
 template <class Fields>
 void ant_path_keys(Fields& io, AntHocNetConfig& c) {
   io.number({"beta_reactive",
-             "Exponent of pheromone where a reactive or a repair ant picks its next hop.", "1"},
+             "Exponent of pheromone when a reactive or repair ant chooses its next hop.", "1"},
             "1", {0, 100}, c.beta_reactive);
-  io.number({"beta_proactive", "Exponent of pheromone where a proactive ant does.", "1"}, "1",
-            {0, 100}, c.beta_proactive);
-  io.number({"beta_data", "Exponent of pheromone where a message does.", "20"}, "1", {0, 100},
-            c.beta_data);
+  io.number(
+      {"beta_proactive", "Exponent of pheromone when a proactive ant chooses its next hop.", "1"},
+      "1", {0, 100}, c.beta_proactive);
+  io.number({"beta_data", "Exponent of pheromone when a message chooses its next hop.", "20"}, "1",
+            {0, 100}, c.beta_data);
   io.number({"acceptance_same_first_hop",
-             "A later copy of an ant is taken if its hops and its time are at most this times the "
-             "best so far.",
+             "A node accepts a later copy of an ant only if its hops and its travel time are at "
+             "most this factor times the best so far.",
              "1.5"},
             "1", {1e-3, 100}, c.acceptance);
+  io.number({"acceptance_new_first_hop",
+             "The same factor for a copy whose first hop is one that no accepted copy had.", "1.5"},
+            "1", {1e-3, 100}, c.acceptance_new_first_hop);
+  io.count({"copies", "Largest number of copies of one ant that a node broadcasts.", "1"}, 1, 1000,
+           c.copies);
   io.number(
-      {"acceptance_new_first_hop",
-       "The same for a copy that left its source over a neighbour that none before did.", "1.5"},
-      "1", {1e-3, 100}, c.acceptance_new_first_hop);
-  io.count({"copies", "Copies of one ant that a node broadcasts.", "1"}, 1, 1000, c.copies);
-  io.number({"mac_weight", "Weight of the past in the running average of the MAC's time.", "0.7"},
-            "1", {0, 1}, c.mac_weight);
-  io.number({"pheromone_weight", "Weight of the past in the running average of pheromone.", "0.7"},
+      {"mac_weight",
+       "Weight of the past in the running mean of the time that the MAC needs for a frame.", "0.7"},
+      "1", {0, 1}, c.mac_weight);
+  io.number({"pheromone_weight", "Weight of the past in the running mean of pheromone.", "0.7"},
             "1", {0, 1}, c.pheromone_weight);
-  io.duration({"hop_time", "What a hop costs in an idle network.", "3 ms"}, {1e-6, 10}, c.hop_time);
+  io.duration({"hop_time", "Time of a hop in an idle network.", "3 ms"}, {1e-6, 10}, c.hop_time);
 }
 
 /// Keys of what goes on while a session runs.
 template <class Fields>
 void ant_session_keys(Fields& io, AntHocNetConfig& c) {
-  io.count(
-      {"hello_destinations",
-       "Destinations whose best pheromone a hello tells; 0: pheromone does not diffuse.", "10"},
-      0, 20, c.hello_destinations);
-  io.duration({"proactive_period", "Between two proactive ants of a session; 0 s: none.", "2 s"},
+  io.count({"hello_destinations",
+            "Largest number of destinations whose best pheromone a hello message contains; 0: "
+            "pheromone does not diffuse.",
+            "10"},
+           0, 20, c.hello_destinations);
+  io.duration({"proactive_period",
+               "Time between two proactive ants of a session; 0 s: no proactive ants.", "2 s"},
               {0, 3600}, c.proactive_period);
   io.number({"proactive_margin",
-             "A proactive ant leaves if virtual pheromone is this times the best regular one; 0: "
-             "always.",
+             "A proactive ant is sent only if the best virtual pheromone is at least this factor "
+             "times the best regular one; 0: always.",
              "1.1"},
             "1", {0, 1000}, c.proactive_margin);
-  io.number({"proactive_broadcast_probability",
-             "That a proactive ant is broadcast where it could follow pheromone.", "0.1"},
-            "1", {0, 1}, c.proactive_broadcast_probability);
-  io.count({"proactive_broadcasts", "Broadcasts of one proactive ant.", "2"}, 0, 255,
-           c.proactive_broadcasts);
-  io.duration({"session_timeout", "A session ends after so long without a message.", "10 s"},
+  io.number(
+      {"proactive_broadcast_probability",
+       "Probability that a node broadcasts a proactive ant although it could follow pheromone.",
+       "0.1"},
+      "1", {0, 1}, c.proactive_broadcast_probability);
+  io.count({"proactive_broadcasts", "Largest number of broadcasts of one proactive ant.", "2"}, 0,
+           255, c.proactive_broadcasts);
+  io.duration({"session_timeout", "Time without a message after which a session ends.", "10 s"},
               {1e-3, 3600}, c.session_timeout);
-  io.count({"repair_broadcasts", "Broadcasts of one repair ant; 0: no local repair.", "2"}, 0, 255,
-           c.repair_broadcasts);
+  io.count({"repair_broadcasts",
+            "Largest number of broadcasts of one repair ant; 0: no local repair.", "2"},
+           0, 255, c.repair_broadcasts);
   io.number({"repair_wait",
-             "A repair is waited for this times the delay of the lost path, and jitter_max for "
-             "each broadcast.",
+             "A repair is given up after this factor times the delay of the lost path, plus "
+             "jitter_max for each broadcast.",
              "5"},
             "1", {1e-3, 1e6}, c.repair_wait);
 }

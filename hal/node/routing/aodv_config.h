@@ -64,56 +64,85 @@ struct AodvConfig {
   }
 };
 
-/// Keys of `algorithm: aodv` by the names of RFC 3561, section 10; and those of what it leaves to
-/// the node.
+/// The parameters of RFC 3561, section 10, by their names there.
 template <class Fields>
-void keys_of(Fields& io, AodvConfig& c) {
+void aodv_parameter_keys(Fields& io, AodvConfig& c) {
   io.duration(
-      {"active_route_timeout", "A route that is not used for so long is no longer valid.", "3 s"},
+      {"active_route_timeout", "Time without use after which a route becomes invalid.", "3 s"},
       {1e-3, 3600}, c.active_route_timeout);
-  io.count({"allowed_hello_loss", "Hellos in a row that a neighbour may miss.", "2"}, 1, 100,
-           c.allowed_hello_loss);
-  io.duration({"hello_interval", "Between two hellos of a node on an active route.", "1 s"},
-              {1e-3, 3600}, c.hello_interval);
-  io.count({"local_add_ttl", "Hops that a local repair searches beyond the last known ones.", "2"},
-           0, 255, c.local_add_ttl);
-  io.count({"net_diameter", "Most hops between any two nodes.", "35"}, 1, 255, c.net_diameter);
-  io.duration({"node_traversal_time", "Conservative estimate of the time of one hop.", "40 ms"},
-              {1e-6, 60}, c.node_traversal_time);
-  io.count({"rerr_ratelimit", "Route errors that a node sends in a second at most.", "10"}, 1,
-           10000, c.rerr_ratelimit);
-  io.count({"rreq_ratelimit", "Route requests that a node originates in a second at most.", "10"},
+  io.count({"allowed_hello_loss",
+            "Consecutive hello messages of a neighbour that may be lost before the neighbour "
+            "itself counts as lost.",
+            "2"},
+           1, 100, c.allowed_hello_loss);
+  io.duration(
+      {"hello_interval", "Time between two hello messages of a node on an active route.", "1 s"},
+      {1e-3, 3600}, c.hello_interval);
+  io.count({"local_add_ttl", "Hops that are added to the search radius of a local repair.", "2"}, 0,
+           255, c.local_add_ttl);
+  io.count({"net_diameter", "Largest number of hops between any two nodes.", "35"}, 1, 255,
+           c.net_diameter);
+  io.duration(
+      {"node_traversal_time", "Conservative estimate of the time that a hop takes.", "40 ms"},
+      {1e-6, 60}, c.node_traversal_time);
+  io.count({"rerr_ratelimit", "Largest number of route errors (RERR) that a node sends per second.",
+            "10"},
+           1, 10000, c.rerr_ratelimit);
+  io.count({"rreq_ratelimit",
+            "Largest number of route requests (RREQ) that a node originates per second.", "10"},
            1, 10000, c.rreq_ratelimit);
-  io.count({"rreq_retries", "Requests over the whole network after the first one.", "2"}, 0, 100,
-           c.rreq_retries);
-  io.count({"timeout_buffer", "Hops added to a ring when waiting for its answer.", "2"}, 0, 255,
-           c.timeout_buffer);
-  io.count({"ttl_start", "Hops of the first ring of a search.", "1"}, 1, 255, c.ttl_start);
-  io.count({"ttl_increment", "Hops by which the next ring is wider.", "2"}, 1, 255,
-           c.ttl_increment);
-  io.count({"ttl_threshold", "Widest ring before the whole network is searched.", "7"}, 1, 255,
-           c.ttl_threshold);
+  io.count(
+      {"rreq_retries", "Number of times that a request over the whole network is repeated.", "2"},
+      0, 100, c.rreq_retries);
+  io.count(
+      {"timeout_buffer",
+       "Hops that are added to the search radius when computing the time to wait for an answer.",
+       "2"},
+      0, 255, c.timeout_buffer);
+  io.count({"ttl_start", "Radius of the first expanding ring search, in hops.", "1"}, 1, 255,
+           c.ttl_start);
+  io.count(
+      {"ttl_increment", "Increase of the radius from one ring search to the next, in hops.", "2"},
+      1, 255, c.ttl_increment);
+  io.count(
+      {"ttl_threshold",
+       "Radius of the largest ring search, in hops; the next one covers the whole network.", "7"},
+      1, 255, c.ttl_threshold);
+}
+
+/// What the RFC leaves to the node.
+template <class Fields>
+void aodv_option_keys(Fields& io, AodvConfig& c) {
   io.flag({"hello",
-           "Whether nodes on active routes send hellos and miss those of others; else only the "
-           "link tells that a neighbour is lost.",
+           "Whether nodes on active routes send hello messages and monitor those of others; if "
+           "not, only the link reports that a neighbour is lost.",
            "false"},
           c.hello);
-  io.flag({"destination_only", "Whether only the destination may answer a request.", "true"},
+  io.flag({"destination_only", "Whether only the destination may answer a route request.", "true"},
           c.destination_only);
   io.flag({"gratuitous_reply",
-           "Whether a node that answers a request for another also tells that one the way back.",
+           "Whether a node that answers a request on behalf of the destination also sends the "
+           "destination a route back to the origin.",
            "false"},
           c.gratuitous_reply);
-  io.flag({"local_repair",
-           "Whether a node on the way looks for another route itself when its next hop is lost.",
-           "true"},
-          c.local_repair);
+  io.flag(
+      {"local_repair",
+       "Whether an intermediate node that loses its next hop searches for another route itself.",
+       "true"},
+      c.local_repair);
   io.flag({"wait_after_start",
-           "Whether a node that starts neither searches nor answers nor relays searches until what "
-           "others know of its earlier life is forgotten: five times active_route_timeout, or "
-           "hello_interval if that is longer.",
+           "Whether a node that starts waits before it searches, answers or relays searches, until "
+           "others have forgotten its state before the restart: five times active_route_timeout, "
+           "or hello_interval if that is longer.",
            "true"},
           c.wait_after_start);
+}
+
+/// Keys of `algorithm: aodv`.
+template <class Fields>
+void keys_of(Fields& io, AodvConfig& c) {
+  aodv_parameter_keys(io, c);
+  aodv_option_keys(io, c);
 }
 
 }  // namespace hal::node::routing

@@ -13,8 +13,10 @@ constexpr std::array kOnLostSensor = {Option<OnLostSensor>{"stop", OnLostSensor:
                                       Option<OnLostSensor>{"ignore", OnLostSensor::kIgnore}};
 
 void limit_keys(Fields& io, drivers::SpeedLimits& c) {
-  io.number({"linear", "Largest speed.", "0.6 m/s"}, "m/s", {0, kUnlimited}, c.linear);
-  io.number({"angular", "Largest rate of turn.", "1.5 rad/s"}, "rad/s", {0, kUnlimited}, c.angular);
+  io.number({"linear", "Largest speed, in any direction.", "0.6 m/s"}, "m/s", {0, kUnlimited},
+            c.linear);
+  io.number({"angular", "Largest turning rate, in either direction.", "1.5 rad/s"}, "rad/s",
+            {0, kUnlimited}, c.angular);
 }
 
 }  // namespace
@@ -22,14 +24,15 @@ void limit_keys(Fields& io, drivers::SpeedLimits& c) {
 void device_keys(Fields& io, RobotFile& file) {
   io.inside({"wheels", "The robot's motors."},
             [&](Fields& wheels) { file.wheels = drivers::wheels_keys(wheels, *file.robot); });
-  io.inside_given({"infrared", "The robot's infrared sensors."}, false, [&](Fields& infrared) {
-    file.infrared = drivers::infrared_keys(infrared, *file.robot);
-  });
+  io.inside_given(
+      {"infrared", "The robot's infrared range sensors."}, false,
+      [&](Fields& infrared) { file.infrared = drivers::infrared_keys(infrared, *file.robot); });
   file.sensors = drivers::driven_sensors_key(io, file.robot->sensors);
   io.choice({"on_lost_sensor",
-             "Whether the wheels stop while a sensor that the controller wants is silent.", "stop"},
+             "Whether the wheels stop while a sensor that the controller uses sends no readings.",
+             "stop"},
             kOnLostSensor, file.on_lost_sensor);
-  io.inside({"limits", "Of the velocity, whatever a controller commands."},
+  io.inside({"limits", "Limits on the velocities that a controller commands."},
             [&](Fields& limits) { limit_keys(limits, file.limits); });
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <map>
 
-#include "hal/files/description/names.h"
 #include "hal/robot/agent/robot_file_sections.h"
 #include "hal/types/math.h"
 
@@ -26,24 +25,27 @@ constexpr std::array kDrivers = {Option<Driver>{"none", Driver::kNone},
                                  Option<Driver>{"static", Driver::kStatic}};
 
 void pose_keys(Fields& io, Pose2& c) {
-  io.needed({"x", "World frame.", "5 m"}, "m", kCoordinate, c.x);
-  io.needed({"y", "World frame.", "0 m"}, "m", kCoordinate, c.y);
-  io.number({"yaw", "Heading, from x towards y.", "90 deg"}, "rad", kAngle, c.theta);
+  io.needed({"x", "x coordinate, world frame.", "5 m"}, "m", kCoordinate, c.x);
+  io.needed({"y", "y coordinate, world frame.", "0 m"}, "m", kCoordinate, c.y);
+  io.number({"yaw", "Heading, counter-clockwise from the x axis.", "90 deg"}, "rad", kAngle,
+            c.theta);
   c.theta = math::wrap_angle(c.theta);
 }
 
 void topic_keys(Fields& io, PoseTopicSettings& c) {
-  io.needed_text({"topic", "Of geometry_msgs/PoseStamped, as in ROS 2.", "/mocap/r0/pose"},
+  io.needed_text({"topic", "DDS topic of type geometry_msgs/PoseStamped, named as in ROS 2.",
+                  "/mocap/r0/pose"},
                  c.topic);
   c.stale_after = 500ms;
-  io.duration({"stale_after", "An older pose is none.", "500 ms"}, {1e-3, 60}, c.stale_after);
+  io.duration({"stale_after", "Age after which a pose is no longer used.", "500 ms"}, {1e-3, 60},
+              c.stale_after);
 }
 
 void source_keys(Fields& io, LocalisationSettings& c) {
   auto driver = static_cast<Driver>(c.source.index());
   io.choice({"driver",
-             "How the agent knows where it is: from a DDS topic, from this file because it stands "
-             "still, or not at all.",
+             "How the agent knows its own pose. pose_topic: from a DDS topic; static: from this "
+             "file, because it stands still; none: it does not.",
              "static"},
             kDrivers, driver, [&](Fields& keys) {
               if (driver == Driver::kPoseTopic) {
@@ -54,21 +56,22 @@ void source_keys(Fields& io, LocalisationSettings& c) {
               }
               if (driver != Driver::kStatic)
                 return keys.unused("pose", "only driver 'static' has one");
-              keys.inside({"pose", "Where the agent stands."},
+              keys.inside({"pose", "Pose of the agent."},
                           [&](Fields& pose) { pose_keys(pose, as<Pose2>(c.source)); });
             });
 }
 
 void landmark_keys(Fields& io, Landmark& c) {
-  io.needed_text({"name", "Of the agent.", "m0"}, c.name);
-  io.needed_count({"address", "Its network address.", "1"}, 1, kLastAddress, c.agent.value);
-  io.needed({"x", "World frame.", "5 m"}, "m", kCoordinate, c.position.x);
-  io.needed({"y", "World frame.", "0 m"}, "m", kCoordinate, c.position.y);
+  io.needed_text({"name", "Name of the agent.", "m0"}, c.name);
+  io.needed_count({"address", "Network address of the agent.", "1"}, 1, kLastAddress,
+                  c.agent.value);
+  io.needed({"x", "x coordinate, world frame.", "5 m"}, "m", kCoordinate, c.position.x);
+  io.needed({"y", "y coordinate, world frame.", "0 m"}, "m", kCoordinate, c.position.y);
 }
 
 void map_key(Fields& io, LocalisationSettings& c, const RobotFile& file) {
   std::map<AgentId, std::string> known;
-  io.list<Landmark>({"map", "Agents that are known to stand somewhere.",
+  io.list<Landmark>({"map", "Agents at known positions, which do not move.",
                      "[{name: m0, address: 1, x: 0 m, y: 0 m}]"},
                     c.map, [&](Fields& one, Landmark& landmark) {
                       landmark_keys(one, landmark);
@@ -89,8 +92,9 @@ void map_key(Fields& io, LocalisationSettings& c, const RobotFile& file) {
 
 void localisation_keys(Fields& io, LocalisationSettings& c, const RobotFile& file) {
   source_keys(io, c);
-  io.number({"range", "Agents of the map farther away are not reported.", "300 m"}, "m",
-            {0, files::config::kUnlimited}, c.range);
+  io.number({"range", "Largest distance at which agents of the map are reported; none: no limit.",
+             "300 m"},
+            "m", {0, files::config::kUnlimited}, c.range);
   map_key(io, c, file);
 }
 

@@ -1,7 +1,5 @@
 #include "hal/robot/agent/robot_file.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <limits>
 
@@ -26,35 +24,34 @@ constexpr std::array kKinds = {Option<AgentKind>{"robot", AgentKind::kRobot},
                                Option<AgentKind>{"mote", AgentKind::kMote}};
 
 void agent_keys(Fields& io, RobotFile& file) {
-  io.needed_text({"name", "Of the agent: letters, digits, '_' and '-' after a letter.", "r0"},
+  io.needed_text({"name", "Name of the agent: letters, digits, '_' and '-' after a letter.", "r0"},
                  file.name);
-  if (!file.name.empty() && !files::description::may_be_named(file.name)) {
-    io.mistake("name",
-               fmt::format("'{}' must be letters, digits, '_' and '-' after a letter", file.name));
-  }
+  files::description::check_name(io, file.name);
   // An invalid address is cleared, so that no landmark seems to use it.
   file.address = {};
-  const files::config::Key address{"address",
-                                   "Network address, the same as in the simulator's scenario.",
-                                   "26", files::config::kMustBeGiven};
+  const files::config::Key address{
+      "address", "Network address of the agent, the same as in the scenario of the simulator.",
+      "26", files::config::kMustBeGiven};
   io.count(address, 1, kLastAddress, file.address.value);
   if (Mapping* in = io.reading(); in != nullptr && !in->has(address.name))
     in->integer(address, 1, kLastAddress);  // reports that it is missing
-  io.needed_choice({"kind", "What the agent is.", "robot"}, kKinds, file.kind);
+  io.needed_choice({"kind", "Whether the agent is a robot or a mote.", "robot"}, kKinds, file.kind);
 }
 
 void controller_keys(Fields& io, RobotFile& file) {
-  io.given_text({"program", "The controller this agent is for; others are refused.", "help_robot"},
-                file.program);
-  const bool has_air = io.given_text({"air_interface",
-                                      "Network interface on which the controller may open sockets "
-                                      "and DDS participants of its own.",
-                                      "wlan0"},
-                                     file.air_interface);
+  io.given_text(
+      {"program", "The only controller that the agent accepts; without it, any.", "help_robot"},
+      file.program);
+  const bool has_air = io.given_text(
+      {"air_interface",
+       "Network interface on which the controller may open its own sockets and DDS participants.",
+       "wlan0"},
+      file.air_interface);
   if (has_air) file.air_interface_place = io.reading()->place("air_interface");
   if (has_air && file.air_interface.empty()) io.mistake("air_interface", "is empty");
   const files::config::Key parameters{
-      "parameters", "Of the controller; `baraka describe PROGRAM` shows them.", "{speed: 0.5 m/s}"};
+      "parameters", "Parameters of the controller; `baraka describe PROGRAM` lists them.",
+      "{speed: 0.5 m/s}"};
   io.own(
       parameters, {.kind = files::config::Form::Kind::kMapping},
       [&](Mapping& in) {
@@ -68,15 +65,17 @@ void controller_keys(Fields& io, RobotFile& file) {
 }
 
 void keys_of(Fields& io, RadioSettings& c) {
-  io.needed_text({"interface", "Network interface; the same network for all agents.", "wlan0"},
-                 c.interface);
-  io.given_text(
-      {"address", "One of the interface's addresses; absent: its first one.", "192.168.0.5"},
-      c.address);
+  io.needed_text(
+      {"interface",
+       "Network interface that the radio uses; all agents must be on the same network.", "wlan0"},
+      c.interface);
+  io.given_text({"address", "IPv4 address of the interface to use; without it, the first one.",
+                 "192.168.0.5"},
+                c.address);
   io.count({"port", "UDP port, the same for all agents.", "7300"}, 1, 0xffff, c.port);
-  io.number({"bit_rate", "Nominal, for the delay statistics of routes.", "6 Mb/s"}, "b/s",
-            {1, 1e12}, c.bit_rate);
-  io.number({"power", "Of the transmitter, for the energy statistics of routes.", "100 mW"}, "W",
+  io.number({"bit_rate", "Nominal bit rate, used for the delay statistics of routes.", "6 Mb/s"},
+            "b/s", {1, 1e12}, c.bit_rate);
+  io.number({"power", "Transmit power, used for the energy statistics of routes.", "100 mW"}, "W",
             {0, 100}, c.power);
 }
 
@@ -85,14 +84,14 @@ RadioPlaces places_of(const Mapping& in) {
 }
 
 void times_keys(Fields& io, RobotFile& file) {
-  io.count({"seed", "Of the controller's and the router's random streams.", "1"}, 0,
+  io.count({"seed", "Seed of the random streams of controller and router.", "1"}, 0,
            std::numeric_limits<std::int64_t>::max(), file.seed);
-  io.duration({"control_period", "Between two calls of the controller's step().", "100 ms"},
+  io.duration({"control_period", "Time between two calls of the controller's step().", "100 ms"},
               {1e-3, 10}, file.control_period);
-  io.duration({"command_timeout",
-               "Without a command for so long the wheels stop; not shorter than `control_period`.",
-               "500 ms"},
-              {1e-3, 3600}, file.command_timeout);
+  io.duration(
+      {"command_timeout",
+       "Time without a command after which the wheels stop; at least `control_period`.", "500 ms"},
+      {1e-3, 3600}, file.command_timeout);
   if (file.command_timeout < file.control_period) {
     io.mistake("command_timeout",
                "must not be shorter than control_period: the wheels would stop between commands");
@@ -106,7 +105,7 @@ void body_keys(Fields& io, RobotFile& file) {
   io.only(is_robot, {"agent.kind", {"robot"}}, "a mote has none", [&](Fields& robot) {
     robot.inside(
         {"robot",
-         "Geometry of body, wheels and sensors, mostly {include: ../robots/robotino.yaml}."},
+         "Geometry of body, wheels and sensors, usually {include: ../robots/robotino.yaml}."},
         [&](Fields& keys) {
           keys_of(keys, *file.robot);
           if (Mapping* in = keys.reading())
@@ -121,16 +120,18 @@ void body_keys(Fields& io, RobotFile& file) {
 
 void keys_of(Fields& io, RobotFile& file) {
   files::description::needed_version_key(io);
-  io.inside({"agent", "Who the agent is."}, [&](Fields& agent) { agent_keys(agent, file); });
-  io.inside({"controller", "The program that drives it."},
+  io.inside({"agent", "Name, address and kind of the agent."},
+            [&](Fields& agent) { agent_keys(agent, file); });
+  io.inside({"controller", "The controller of the agent."},
             [&](Fields& controller) { controller_keys(controller, file); });
   times_keys(io, file);
-  io.inside({"radio", "The UDP radio."}, [&](Fields& radio) {
-    if (radio.reading() != nullptr) file.radio_places = places_of(*radio.reading());
-    keys_of(radio, file.radio);
-  });
+  io.inside({"radio", "The radio, which sends UDP datagrams over a network interface."},
+            [&](Fields& radio) {
+              if (radio.reading() != nullptr) file.radio_places = places_of(*radio.reading());
+              keys_of(radio, file.radio);
+            });
   files::description::routing_key(io, file.routing, node::routing::LinkCapabilities{});
-  io.inside({"localisation", "How the agent knows where it and the others are."},
+  io.inside({"localisation", "How the agent knows its own pose and the positions of other agents."},
             [&](Fields& own) { localisation_keys(own, file.localisation, file); });
   body_keys(io, file);
 }

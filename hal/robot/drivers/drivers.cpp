@@ -50,18 +50,19 @@ std::shared_ptr<const DriverChoice<Driver>> driver_keys(
 
 std::shared_ptr<const DriverChoice<WheelDriver>> wheels_keys(Fields& io,
                                                              const RobotDescription& robot) {
-  return driver_keys(
-      io, robot,
-      "A Festo Robotino's REST interface, a Fraunhofer TMC200 motor controller, or none.",
-      kWheelDrivers);
+  return driver_keys(io, robot,
+                     "robotino_rest: REST interface of a Festo Robotino; tmc200: Fraunhofer TMC200 "
+                     "motor controller; none: no wheels.",
+                     kWheelDrivers);
 }
 
 std::shared_ptr<const DriverChoice<InfraredDriver>> infrared_keys(Fields& io,
                                                                   const RobotDescription& robot) {
-  auto choice = driver_keys(io, robot,
-                            "A Festo Robotino's REST interface, an analog-to-digital "
-                            "converter of Linux's Industrial I/O, or none.",
-                            kInfraredDrivers);
+  auto choice =
+      driver_keys(io, robot,
+                  "robotino_rest: REST interface of a Festo Robotino; iio: analog-to-digital "
+                  "converter of Linux's Industrial I/O; none: no infrared sensors.",
+                  kInfraredDrivers);
   if (choice && robot.infrared.empty()) io.mistake("driver", "the robot has no infrared sensors");
   return choice;
 }

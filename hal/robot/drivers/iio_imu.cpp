@@ -51,7 +51,7 @@ std::shared_ptr<const SensorChoice> iio_imu_keys(files::description::Fields& io,
                                                  const node::devices::SensorDescription*) {
   IioImuSettings settings;
   std::string folder;
-  io.needed_text({"folder", "Of the device in sysfs (Linux Industrial I/O).",
+  io.needed_text({"folder", "Folder of the device in sysfs (Linux Industrial I/O).",
                   "'/sys/bus/iio/devices/iio:device1'"},
                  folder);
   settings.folder = std::move(folder);

@@ -21,12 +21,13 @@ bool is_voltage_channel(std::string_view name) {
 IioSettings iio_keys(Fields& io, const node::devices::RobotDescription& robot) {
   IioSettings settings;
   std::string folder;
-  io.needed_text({"folder", "Of the converter in sysfs (Linux Industrial I/O).",
+  io.needed_text({"folder", "Folder of the converter in sysfs (Linux Industrial I/O).",
                   "'/sys/bus/iio/devices/iio:device0'"},
                  folder);
   settings.folder = std::move(folder);
   io.texts(
-      {"channels", "One per infrared sensor of the robot.",
+      {"channels",
+       "Channels of the converter, one for each infrared sensor of the robot, in that order.",
        "[voltage0, voltage1, voltage2, voltage3, voltage4, voltage5]", files::config::kMustBeGiven},
       settings.channels);
   for (const std::string& channel : settings.channels) {

@@ -69,7 +69,8 @@ std::shared_ptr<const SensorChoice> power_supply_keys(
       sensor == nullptr ? nullptr : std::get_if<node::devices::Battery>(sensor);
   if (battery != nullptr) settings.capacity = battery->capacity;
   std::string folder;
-  io.needed_text({"folder", "Of the device in sysfs.", "/sys/class/power_supply/BAT0"}, folder);
+  io.needed_text({"folder", "Folder of the device in sysfs.", "/sys/class/power_supply/BAT0"},
+                 folder);
   settings.folder = std::move(folder);
   settings.times = {1s, 150ms, 5s};
   times_keys(io, settings.times, 60);

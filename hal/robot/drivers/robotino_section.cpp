@@ -21,9 +21,10 @@ constexpr std::array kReads = {Option<bool>{"metres", false}, Option<bool>{"volt
 
 RobotinoSettings robotino_keys(Fields& io) {
   RobotinoSettings settings;
-  io.needed_text({"host", "Name or address of the robot.", "192.168.0.1"}, settings.host);
-  io.count({"port", "Of its HTTP server.", "80"}, 1, 0xffff, settings.port);
-  io.text({"session", "`sid` of the requests; none of & # ? / % and blanks.", "baraka"},
+  io.needed_text({"host", "Host name or IP address of the robot.", "192.168.0.1"}, settings.host);
+  io.count({"port", "TCP port of its HTTP server.", "80"}, 1, 0xffff, settings.port);
+  io.text({"session", "Value of `sid` in the requests; must not contain & # ? / % or blanks.",
+           "baraka"},
           settings.session);
   const auto is_plain = [](char c) {
     return std::string_view("&#?/% ").find(c) == std::string::npos;
@@ -48,11 +49,14 @@ std::shared_ptr<const DriverChoice<WheelDriver>> robotino_wheels_keys(
 std::shared_ptr<const DriverChoice<InfraredDriver>> robotino_infrared_keys(
     Fields& io, const node::devices::RobotDescription&) {
   RobotinoSettings settings = robotino_keys(io);
-  io.choice({"reads", "What the array gives; firmware differs.", "metres"}, kReads,
-            settings.in_volts);
-  io.flag({"clockwise", "Whether sensor 1 looks to the right of sensor 0 instead of to its left.",
-           "true"},
-          settings.clockwise);
+  io.choice({"reads", "Unit of the values that the robot reports, which depends on its firmware.",
+             "metres"},
+            kReads, settings.in_volts);
+  io.flag(
+      {"clockwise",
+       "Whether sensor 1 is to the right of sensor 0, that is clockwise, instead of to its left.",
+       "true"},
+      settings.clockwise);
   return std::make_shared<ChosenDriver<InfraredDriver, RobotinoSettings>>(std::move(settings),
                                                                           make_robotino_infrared);
 }

@@ -69,10 +69,10 @@ void check(Fields& io, const NamedDriver& one, const std::vector<SensorDescripti
 }
 
 void keys_of(Fields& io, NamedDriver& c, const std::vector<SensorDescription>& sensors) {
-  io.needed_text({"name", "Of one of the sensors in `robot.sensors`.", "battery"}, c.sensor);
+  io.needed_text({"name", "Name of one of the sensors in `robot.sensors`.", "battery"}, c.sensor);
   const auto sensor = index_of(c.sensor, sensors);
   io.kind({"driver",
-           "power_supply: a battery's gauge in Linux's power supplies; iio_imu: gyroscopes and "
+           "power_supply: battery gauge in Linux's power supply class; iio_imu: gyroscopes and "
            "accelerometers of Linux's Industrial I/O.",
            "power_supply"},
           names_of_drivers(), [&](Fields& keys, std::size_t kind) {
@@ -88,7 +88,7 @@ std::vector<DrivenSensor> driven_sensors_key(Fields& io,
   std::vector<DrivenSensor> driven;
   std::vector<NamedDriver> named;
   io.list<NamedDriver>(
-      {"sensors", "Which drivers feed which sensors of the robot; others are not there.",
+      {"sensors", "Drivers of the sensors of `robot.sensors`; those without a driver are absent.",
        "[{name: battery, driver: power_supply, folder: /sys/class/power_supply/BAT0}]"},
       named, [&](Fields& one, NamedDriver& driver) {
         keys_of(one, driver, sensors);

@@ -11,13 +11,13 @@ using namespace std::chrono_literals;
 using files::description::Fields;
 
 void motor_keys(Fields& io, Tmc200Settings::Motor& motor) {
-  io.needed_count({"encoder_lines", "Of the encoder, per turn of the motor shaft.", "500"}, 1,
+  io.needed_count({"encoder_lines", "Lines of the encoder per turn of the motor shaft.", "500"}, 1,
                   25'000, motor.encoder_lines);
-  io.needed({"gear", "Turns of the motor per turn of the wheel.", "16"}, "1", {1e-2, 1e4},
-            motor.gear);
-  io.needed({"max_speed", "Of the motor shaft: the controller's full scale.", "3600 rpm"}, "rad/s",
-            {1, 2'000}, motor.max_speed);
-  io.flag({"inverted", "Whether the motors turn against the wheels' positive direction.", "true"},
+  io.needed({"gear", "Gear ratio: turns of the motor per turn of the wheel.", "16"}, "1",
+            {1e-2, 1e4}, motor.gear);
+  io.needed({"max_speed", "Speed of the motor shaft at the controller's full scale.", "3600 rpm"},
+            "rad/s", {1, 2'000}, motor.max_speed);
+  io.flag({"inverted", "Whether a motor's positive direction turns its wheel backwards.", "true"},
           motor.inverted);
 }
 
@@ -44,13 +44,15 @@ void check_motor(Fields& io, const Tmc200Settings& settings,
 
 Tmc200Settings tmc200_keys(Fields& io, const node::devices::RobotDescription& robot) {
   Tmc200Settings settings;
-  io.needed_text({"device", "The serial line.", "/dev/ttyUSB0"}, settings.device);
-  io.inside({"motor", "All three are alike, in the order of the robot's wheels."},
+  io.needed_text({"device", "Device file of the serial line.", "/dev/ttyUSB0"}, settings.device);
+  io.inside({"motor",
+             "The motors: all three are of the same type and connected in the order of the robot's "
+             "wheels."},
             [&](Fields& motor) { motor_keys(motor, settings.motor); });
   settings.cut_off = 200ms;
   io.duration({"cut_off",
-               "The controller stops the motors after this silence: a multiple of 10 ms, at least "
-               "twice `period`.",
+               "Time without a command after which the motor controller stops the motors: a "
+               "multiple of 10 ms, at least twice `period`.",
                "200 ms"},
               {0.01, 2.55}, settings.cut_off);
   if (settings.cut_off % 10ms != 0ns) {

@@ -54,7 +54,7 @@ bool answers_to(const Assigned& assigned, in_addr address) {
 in_addr dotted(const std::string& address) {
   in_addr parsed{};
   if (inet_pton(AF_INET, address.c_str(), &parsed) == 1) return parsed;
-  throw std::runtime_error(fmt::format("'{}' is no IPv4 address", address));
+  throw std::runtime_error(fmt::format("'{}' is not an IPv4 address", address));
 }
 
 std::string names_of(const std::vector<Assigned>& all) {

@@ -90,7 +90,7 @@ const button = (label, title, action, parent) => {
 function clockField(element, store, act) {
   const field = element.appendChild(Object.assign(document.createElement("input"),
     { className: "clock", spellcheck: false, autocomplete: "off", title: "go to a time (g): 12.5, 300 ms, +20 us" }));
-  field.setAttribute("aria-label", "time; write one to go there");
+  field.setAttribute("aria-label", "time; type one to go there");
   field.addEventListener("focus", () => field.select());
   field.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" && event.key !== "Escape") return;
@@ -106,14 +106,14 @@ export function controls(element, store, source) {
   const act = actions(store, source);
   const group = () => element.appendChild(Object.assign(document.createElement("span"), { className: "group" }));
   const first = group();
-  button(icon("begin"), "to the begin (Home)", () => act.at(0), first);
+  button(icon("begin"), "to the start (Home)", () => act.at(0), first);
   const play = button(icon("play"), "play or pause (space)", act.play, first);
   button(icon("end"), "to the end (End)", () => act.at(source.end), first);
   const steps = group();
   for (const [of, key] of [["event", "e"], ["cycle", "c"], ["frame", "f"]]) {
-    button("‹", `the ${of} before (Shift+${key})`, () => act.step(of, -1), steps);
+    button("‹", `previous ${of} (Shift+${key})`, () => act.step(of, -1), steps);
     steps.appendChild(Object.assign(document.createElement("small"), { textContent: of }));
-    button("›", `the next ${of} (${key})`, () => act.step(of, 1), steps);
+    button("›", `next ${of} (${key})`, () => act.step(of, 1), steps);
   }
   const pace = group();
   const slider = pace.appendChild(Object.assign(document.createElement("input"),
@@ -125,7 +125,7 @@ export function controls(element, store, source) {
   button("−", "zoom out (-)", () => act.zoom(2), zoom);
   button("+", "zoom in (+)", () => act.zoom(0.5), zoom);
   button("all", "the whole run on the axis (a)", act.all, zoom);
-  button("µs", "close to this instant (u)", act.close, zoom);
+  button("µs", "zoom in on this instant (u)", act.close, zoom);
   const clock = clockField(element, store, act);
   const copy = button("copy URL", "copy the address of this view (l)", async () => {
     try { await act.link(); copy.textContent = "copied"; } catch { copy.textContent = "it is in the address bar"; }

@@ -2,12 +2,12 @@
 import { actions } from "./controls.js";
 
 const sheet = [
-  ["space", "play, pause; a live run goes on, waits; from its past, play on into it"], ["← →", "a hundredth of the axis"],
-  ["f, Shift+f", "next frame, the one before"], ["c, Shift+c", "next control cycle, the one before"],
-  ["e, Shift+e", "next event of the chosen agent, the one before"], ["[ ]", "slower, faster"],
-  ["+ −", "zoom the axis"], ["a", "the whole run on the axis"], ["u", "close to this instant"], ["Home, End", "begin, end"], ["g", "write a time to go there: 12.5, 300 ms, +20 us"], ["l", "copy the address of this view"],
-  ["n, Shift+n", "next agent, the one before"], ["r", "the lanes and the panel of the next run"], ["o", "the camera goes along with the chosen agent"],
-  ["d", "map or free 3-D"], ["t", "light or dark"], ["Esc", "choose nothing"], ["?", "this sheet"],
+  ["space", "play, pause; with a live run: continue, pause; in its past: play up to the present"], ["← →", "move by a hundredth of the axis"],
+  ["f, Shift+f", "next, previous frame"], ["c, Shift+c", "next, previous control cycle"],
+  ["e, Shift+e", "next, previous event of the chosen agent"], ["[ ]", "slower, faster"],
+  ["+ −", "zoom the axis"], ["a", "the whole run on the axis"], ["u", "zoom in on this instant"], ["Home, End", "start, end"], ["g", "go to a time: 12.5, 300 ms, +20 us"], ["l", "copy the address of this view"],
+  ["n, Shift+n", "next, previous agent"], ["r", "lanes and panel of the next run"], ["o", "the camera follows the chosen agent"],
+  ["d", "map or free 3-D"], ["t", "light or dark"], ["Esc", "clear the selection"], ["?", "list of keys"],
 ];
 
 export function keys(store, source) {

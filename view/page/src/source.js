@@ -58,7 +58,7 @@ function answers() {
   return {
     hasBelow: () => true,
     async get(url) {
-      const response = await askServer(url).catch(() => { throw new Error("The server does not answer. What had come before is shown."); });
+      const response = await askServer(url).catch(() => { throw new Error("The server does not answer. Shown is what arrived before."); });
       const text = await response.text();
       if (!response.ok) throw new Error(`${url}: ${response.status} ${text.slice(0, 200)}`);
       return { answer: JSON.parse(text), bytes: text.length };

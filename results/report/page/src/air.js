@@ -55,7 +55,7 @@ function draw(parent, rows) {
 
 function topics_table(parent, group, all) {
   table(parent, ["topic", "samples", "delivered", "first try", "repaired", "latency p50", "p99", "air time s", "share %"],
-    group.air.topics.map((one) => [one.topic || "(not told of)", thousands(one.samples), thousands(one.delivered),
+    group.air.topics.map((one) => [one.topic || "(not announced)", thousands(one.samples), thousands(one.delivered),
       thousands(one.first_try), thousands(one.repaired), one.p50 === null ? "–" : duration(one.p50),
       one.p99 === null ? "–" : duration(one.p99), seconds(one.airtime_ns), percent(one.airtime_ns, all)]));
 }
@@ -72,7 +72,7 @@ function kinds_table(parent, group, all) {
 function losses_table(parent, group) {
   if (!group.sample_losses.length) return;
   const list = parent.append("details");
-  list.append("summary").text("why samples did not come");
+  list.append("summary").text("why samples were not delivered");
   table(list, ["topic", "verdict", "at", "samples"],
     group.sample_losses.map(([topic, verdict, at, count]) => [topic, verdict, at || "–", thousands(count)]));
 }

@@ -210,7 +210,7 @@ TEST(LoadPlugin, NamesTheFoldersItLookedIn) {
   ASSERT_FALSE(kind.has_value());
   EXPECT_EQ(kind.error().code, hal::Errc::kNotAvailable);
   EXPECT_EQ(kind.error().message,
-            "'nobody' is no known controller: looked for nobody.so in /nowhere, /elsewhere; "
+            "'nobody' is not a known controller: looked for nobody.so in /nowhere, /elsewhere; "
             "BARAKA_CONTROLLER_PATH adds folders");
 }
 

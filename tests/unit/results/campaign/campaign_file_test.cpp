@@ -116,7 +116,7 @@ TEST(CampaignFile, MistakesStandWhereTheyAreMade) {
   EXPECT_THAT(mistakes("vary: {seed: [1, 2]}\n"),
               ElementsAre(testing::StartsWith("3:14: vary.seed: is not varied")));
   EXPECT_THAT(mistakes("vary: {a..b: [1]}\n"),
-              ElementsAre("3:14: vary.a..b: 'a..b' is no dotted path of a key"));
+              ElementsAre("3:14: vary.a..b: 'a..b' is not the dotted path of a key"));
   EXPECT_THAT(mistakes("points: [{a: 1}, {a: 1}]\n"),
               ElementsAre(testing::HasSubstr("is the same as point 1")));
   EXPECT_THAT(mistakes("points: []\n"), ElementsAre("3:9: points: must have at least one"));

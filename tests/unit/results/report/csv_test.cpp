@@ -76,7 +76,7 @@ TEST(Csv, AnotherTableOrVersionIsNamed) {
   const Folder folder("names");
   record::test::make_result(folder.path(), "PRAGMA user_version = 3");
   EXPECT_EQ(error_of(folder.path(), "pose").substr(0, 60),
-            "'pose' is no table of a result; there are: run, settings, ag");
+            "'pose' is not a table of a result; there are: run, settings,");
   const std::string error = error_of(folder.path(), "poses");
   EXPECT_NE(error.find("version 3"), std::string::npos) << error;
   EXPECT_NE(error.find("version " + std::to_string(record::kSchemaVersion) + " only"),

@@ -148,7 +148,7 @@ TEST(PlotTest, WhatIsNotThereIsNamedWithWhatIs) {
             std::string::npos);
   EXPECT_NE(message_of(experiment, {.plot = "x", .versus = "sped"}).find("agents.r.speed"),
             std::string::npos);
-  EXPECT_NE(message_of(experiment, {.plot = "x", .agent = "r0"}).find("of 'r0'"),
+  EXPECT_NE(message_of(experiment, {.plot = "x", .agent = "r0"}).find("for 'r0'"),
             std::string::npos);
   EXPECT_NE(
       message_of(experiment, {.plot = "x", .as = sim::scenario::PlotKind::kTime}).find("over time"),

@@ -449,7 +449,8 @@ TEST_F(ReportTest, SaysWhySamplesDidNotComeAndWhere) {
       run_sql("ieee80211g", 2) + kAir +
           "INSERT INTO sample_losses VALUES ('aa',2,'queue full',2,5), ('aa',2,'unknown',0,3);");
   const std::string printed = text();
-  const std::size_t begin = printed.find("why samples of programs did not come, total of 2 runs");
+  const std::size_t begin =
+      printed.find("why samples of programs were not delivered, total of 2 runs");
   ASSERT_NE(begin, std::string::npos);
   const std::string part = printed.substr(begin);
   EXPECT_TRUE(std::regex_search(part, std::regex("scan +collision +m0 +2\n"))) << part;

@@ -102,7 +102,7 @@ TEST(Layouts, SayWhatIsWrong) {
             std::string::npos)
       << mistake("uniform: {count: 9, from: [0 m, 0 m], to: [1 m, 1 m], spacing: 2 m}");
   EXPECT_NE(mistake("line: {count: 2, spacing: 1 m}\n    poses: [{x: 0 m, y: 0 m}]")
-                .find("agents.all.poses: cannot stand beside line"),
+                .find("agents.all.poses: cannot be combined with line"),
             std::string::npos);
   EXPECT_NE(mistake("circle: {count: 0, radius: 1 m}").find("below the limit of 1"),
             std::string::npos);

@@ -116,7 +116,7 @@ export function showAgent(parent, run, store) {
   facts(head, [
     ["kind", `${agent.kind}, address ${agent.agent}`], ["controller", agent.program], ["state", stateAt(states, agent.agent, t)],
     ["queue", queue ? `${queue.tile.columns.frames[queue.row]} frames` : run.world.recorded?.queues === "none" ? null : "0 frames"],
-    ["camera", link(store.state.follow === agent.agent ? "goes along: stop" : "go along", () => store.set({ follow: store.state.follow === agent.agent ? null : agent.agent }))],
+    ["camera", link(store.state.follow === agent.agent ? "stop following" : "follow", () => store.set({ follow: store.state.follow === agent.agent ? null : agent.agent }))],
   ]);
   const readings = pose(head, run, agent, store.state);
   showReadings(parent, run, agent, readings, t);

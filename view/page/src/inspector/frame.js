@@ -24,7 +24,7 @@ export function showFrame(parent, run, store) {
   ]);
   // First the radio that it was for, then the loudest.
   const ends = [...frame.ends].sort((a, b) => (b.agent === frame.receiver) - (a.agent === frame.receiver) || (b.rssi ?? -999) - (a.rssi ?? -999));
-  const section = part(parent, ends.length ? `at ${ends.length} ${ends.length === 1 ? "radio" : "radios"}` : "heard by nobody");
+  const section = part(parent, ends.length ? `at ${ends.length} ${ends.length === 1 ? "radio" : "radios"}` : "received by no radio");
   if (!ends.length) return;
   const table = list(section, ["radio", "verdict", "RSSI dBm", "SINR dB", "way µs"], ends.map((end) => [
     nameOf(run, end.agent), end.verdict, end.rssi === null ? "" : fixed(end.rssi, 1), end.sinr === null ? "" : fixed(end.sinr, 1),

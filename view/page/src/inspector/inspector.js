@@ -29,7 +29,7 @@ function showRun(parent, run, store, source) {
     facts(select.parentElement, shown.map((series) => [seriesName(world, series),
       link("remove", () => store.set({ charts: store.state.charts.filter((one) => one !== series.index) }))])).classList.add("charts");
   }
-  if (world.missing?.length) list(part(parent, "not recorded"), ["what", "the line that records it"], world.missing.map(({ what, line }) => [what, line])).classList.add("words");
+  if (world.missing?.length) list(part(parent, "not recorded"), ["what", "key that records it"], world.missing.map(({ what, line }) => [what, line])).classList.add("words");
   list(part(parent, "agents"), ["name", "kind", "controller"], world.agents.slice(0, 200).map((one) => [one.name, one.kind, one.program]),
     (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: world.agents[i].agent } }));
   if (source.runs.length > 1) {

@@ -25,13 +25,13 @@ const nameOfBreak = (one, world) => [one.on, one.state ?? one.topic ?? (one.at =
 function breaks(parent, run, store) {
   const { live, chosen } = store.state;
   const section = part(parent, "stops at");
-  for (const one of live.breaks) facts(section, [[nameOfBreak(one, run.world), link("do not stop there", () => clearBreak(store, one.id))]]);
+  for (const one of live.breaks) facts(section, [[nameOfBreak(one, run.world), link("remove", () => clearBreak(store, one.id))]]);
   const form = section.appendChild(made("form", "", { className: "breaks" }));
   const kind = form.appendChild(made("select"));
-  kind.setAttribute("aria-label", "what it stops at");
+  kind.setAttribute("aria-label", "kind of breakpoint");
   for (const name of Object.keys(kinds)) kind.appendChild(made("option", name));
   const field = form.appendChild(made("input", "", { size: 12, autocomplete: "off" }));
-  field.setAttribute("aria-label", "which state, class of message, or time");
+  field.setAttribute("aria-label", "state, message class or time of the breakpoint");
   field.setAttribute("list", "break-names");
   const names = form.appendChild(made("datalist", "", { id: "break-names" }));
   const agent = chosen?.kind === "agent" ? chosen.agent : null;
@@ -63,7 +63,7 @@ export function headline(live) {
   return live.paused ? "the run waits" : "the run goes on";
 }
 
-const gone = "Its server has ended. What had come before is shown; baraka view shows all that was recorded.";
+const gone = "Its server has ended. Shown is what arrived before; baraka view shows all that was recorded.";
 
 /** The part of the panel that is about a run under way; draw() when its state or what is chosen changed. */
 export function livePanel(parent, store, source) {
@@ -82,7 +82,7 @@ export function livePanel(parent, store, source) {
       if (live.can_hold === false && !isOver) head.appendChild(made("p", "it keeps real time, so it can be watched but not paused, stepped or slowed"));
       else if (!live.canCommand && !isOver) head.appendChild(made("p", "it can be watched only: to command it, open the address that the run printed"));
       if (!isOver && !isPresent(store, source)) {
-        head.append("what is shown is earlier; ", link("show the present", () => store.set({ t: source.end, playing: false })));
+        head.append("shown is an earlier time; ", link("show the present", () => store.set({ t: source.end, playing: false })));
       }
       const mayCommand = live.canCommand && !isOver;
       if (mayCommand && live.can_hold !== false) breaks(body, run, store);

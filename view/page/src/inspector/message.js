@@ -17,15 +17,15 @@ function head(parent, run, store, message) {
   facts(section, [
     ["class", message.topic], ["to", nameOf(run, message.destination)], ["payload", `${message.bytes} byte`],
     ["sent", link(`${exact(message.sent)} s`, () => store.set({ t: message.sent, playing: false }))],
-    ["its sender heard", message.fate && `${message.fate}, after ${span(message.fate_at - message.sent)}`],
-    ["it ended", message.verdict ?? "on its way"],
-    ["in the world", link(isFollowed ? "its way is drawn: hide" : "draw its way", () => store.set({ followed: isFollowed ? null : is }))],
+    ["reported to its sender", message.fate && `${message.fate}, after ${span(message.fate_at - message.sent)}`],
+    ["outcome", message.verdict ?? "on its way"],
+    ["in the world", link(isFollowed ? "hide its route" : "draw its route", () => store.set({ followed: isFollowed ? null : is }))],
   ]);
 }
 
 // One chain: search for a route, queue and contention, tries that failed, air; below them the sum, which is the delay.
 function showChain(parent, run, store, chain, delivery) {
-  const names = ["hop", "route, queue, contention", "failed tries", "air"];
+  const names = ["hop", "route, queue, contention", "failed transmissions", "air"];
   const rows = chain.map((hop) => [`${nameOf(run, hop.from)} → ${nameOf(run, hop.to)}`, spanExact(hop.queued),
     hop.tries > 1 ? `${hop.tries - 1}: ${spanExact(hop.trying)}` : "", spanExact(hop.air)]);
   const section = part(parent, `hops to ${nameOf(run, delivery.receiver)}`);
@@ -34,7 +34,7 @@ function showChain(parent, run, store, chain, delivery) {
   const sum = lengthOf(chain);
   const cell = table.createTFoot().insertRow().insertCell();
   cell.colSpan = names.length;
-  cell.textContent = sum === delivery.delay ? `sum ${spanExact(sum)}: its delay`
+  cell.textContent = sum === delivery.delay ? `sum ${spanExact(sum)}, its delay`
     : `sum ${spanExact(sum)}, delay ${spanExact(delivery.delay)}: not every frame is in the record`;
 }
 
@@ -42,9 +42,9 @@ function showLoss(parent, run, message, hops) {
   const loss = lossOf(message, hops);
   if (!loss) return;
   const holder = nameOf(run, loss.holder);
-  const words = [loss.holder === message.sender ? `It never left ${holder}` : `It came as far as ${holder}, at ${exact(loss.since)} s`];
+  const words = [loss.holder === message.sender ? `It never left ${holder}` : `It reached ${holder}, at ${exact(loss.since)} s`];
   if (loss.tries) {
-    words.push(`${loss.tries} ${loss.tries === 1 ? "try" : "tries"} to ${nameOf(run, loss.to)}, the last at ${exact(loss.at)} s: ${loss.verdict}`);
+    words.push(`${loss.tries} ${loss.tries === 1 ? "transmission" : "transmissions"} to ${nameOf(run, loss.to)}, the last at ${exact(loss.at)} s: ${loss.verdict}`);
   }
   part(parent, `lost: ${message.verdict}`).append(`${words.join("; ")}.`);
 }
@@ -72,12 +72,12 @@ export function showMessage(parent, run, store) {
   }
   showLoss(parent, run, message, hops);
   if (hops.length) {
-    list(part(parent, "frames that carried it"), ["s", "from", "to", "ended"], hops.slice(0, most)
+    list(part(parent, "frames with this message"), ["s", "from", "to", "ended"], hops.slice(0, most)
       .map((hop) => [exact(hop.began), nameOf(run, hop.from), nameOf(run, hop.to), hop.verdict]),
     (i) => store.set({ t: hops[i].began, playing: false, chosen: { kind: "frame", run: run.index, transmitter: hops[i].from, number: hops[i].number, at: hops[i].began } }));
   } else if (!isRecorded) {
     part(parent, "hops").append("not recorded; ", made("code", "record: {frames: all}"), " records them");
   } else if (pieces.complete && message.verdict === "delivered") {
-    part(parent, "hops").append("no frame that carried it is in the record; ", made("code", "record: {frames: all}"), " records all");
+    part(parent, "hops").append("no frame with this message is in the record; ", made("code", "record: {frames: all}"), " records all");
   }
 }

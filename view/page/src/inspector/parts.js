@@ -49,5 +49,5 @@ export function link(text, action) {
 export const number = (value, digits = 4) => (value === null || value === undefined ? "" : String(Number(Number(value).toPrecision(digits))));
 /** With so many digits behind the point, and no "-0.00". */
 export const fixed = (value, digits) => value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
-export const nameOf = (run, agent) => (agent >= 65534 ? (agent === 65535 ? "everyone" : "whoever hears it")
+export const nameOf = (run, agent) => (agent >= 65534 ? (agent === 65535 ? "everyone" : "neighbours")
   : run.world.agents.find((one) => one.agent === agent)?.name ?? String(agent));

@@ -69,7 +69,7 @@ function brokenAt(name, width, measure, most) {
 /** The text that agents' lanes are chosen by. */
 function filterField(element, store) {
   const field = element.appendChild(Object.assign(document.createElement("input"),
-    { type: "search", placeholder: "agents …", title: "lanes of agents whose name holds this, or one of several with commas between" }));
+    { type: "search", placeholder: "agents …", title: "lanes of agents whose name contains this; several with commas between" }));
   field.setAttribute("aria-label", "names of the agents that have a lane");
   field.addEventListener("input", () => store.set({ lanes: field.value }));
   field.addEventListener("keydown", (event) => { if (event.key === "Escape" || event.key === "Enter") field.blur(); });

@@ -74,7 +74,7 @@ function tellMissing(pane, run) {
   const warnings = run.world.warnings ?? [];
   if (!missing.length && !warnings.length) return null;
   const box = make(pane, "details", "missing");
-  const count = [warnings.length && `${warnings.length} warning${warnings.length > 1 ? "s" : ""}`, missing.length && "not all was recorded"];
+  const count = [warnings.length && `${warnings.length} warning${warnings.length > 1 ? "s" : ""}`, missing.length && "partly recorded"];
   make(box, "summary").textContent = count.filter(Boolean).join(", ");
   for (const text of warnings) make(box, "p").textContent = text;
   for (const { what, line } of missing) {

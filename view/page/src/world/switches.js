@@ -16,7 +16,7 @@ export function switches(element, store) {
   };
   const free = add("3-D", "map or free view", () => store.set({ mode2d: !store.state.mode2d }));
   add("fit", "all in sight", () => store.set({ map: null, orbit: null, follow: null }));
-  const follow = add("follow", "the view stays on the chosen agent", () => {
+  const follow = add("follow", "the camera follows the chosen agent", () => {
     const { chosen, follow: followed } = store.state;
     store.set({ follow: followed === null && chosen?.kind === "agent" ? chosen.agent : null });
   });

@@ -134,10 +134,10 @@ TEST_F(DocumentTest, FindsCirclesOfIncludes) {
   write("b.yaml", "y: {include: c.yaml}\n");
   write("c.yaml", "\ninclude: a.yaml\n");
   EXPECT_EQ(loading(write("a.yaml", "x: {include: b.yaml}\n")),
-            (Lines{"c.yaml:2:10: x.y.include: goes in a circle: a.yaml -> b.yaml -> c.yaml -> "
+            (Lines{"c.yaml:2:10: x.y.include: includes itself: a.yaml -> b.yaml -> c.yaml -> "
                    "a.yaml (included by b.yaml:1:14, that by a.yaml:1:14)"}));
   EXPECT_EQ(loading(write("self.yaml", "include: self.yaml\n")),
-            (Lines{"self.yaml:1:10: include: goes in a circle: self.yaml -> self.yaml"}));
+            (Lines{"self.yaml:1:10: include: includes itself: self.yaml -> self.yaml"}));
 }
 
 TEST_F(DocumentTest, MayIncludeOneFileTwice) {
@@ -249,7 +249,8 @@ TEST_F(DocumentTest, RefusesIncludesInMappingsWithoutEnd) {
   write("last.yaml", "a: 1\n");
   const Lines found = loading(write("a.yaml", text + "\n"));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NE(found[0].find("include: stands in 60 mappings; at most 50 are read"), std::string::npos)
+  EXPECT_NE(found[0].find("include: is nested in 60 mappings; at most 50 are allowed"),
+            std::string::npos)
       << found[0];
 }
 
@@ -323,12 +324,12 @@ TEST_F(DocumentTest, SetsItemsOfListsThatAreIncluded) {
 TEST_F(DocumentTest, NamesTheNumberOfAnItemThatIsNotThere) {
   const auto file = write("a.yaml", "l: [{a: 1}, {a: 3}]\ne: []\n");
   EXPECT_EQ(loading(file, {"l.2.a=1"}),
-            (Lines{"--set l.2.a: '2' is no item: the list has 2, 0 to 1"}));
+            (Lines{"--set l.2.a: '2' is not an item: the list has 2, 0 to 1"}));
   EXPECT_EQ(loading(file, {"l.first.a=1"}),
-            (Lines{"--set l.first.a: 'first' is no item: the list has 2, 0 to 1"}));
+            (Lines{"--set l.first.a: 'first' is not an item: the list has 2, 0 to 1"}));
   EXPECT_EQ(loading(file, {"l.-1.a=1"}),
-            (Lines{"--set l.-1.a: '-1' is no item: the list has 2, 0 to 1"}));
-  EXPECT_EQ(loading(file, {"e.0.a=1"}), (Lines{"--set e.0.a: '0' is no item: the list has 0"}));
+            (Lines{"--set l.-1.a: '-1' is not an item: the list has 2, 0 to 1"}));
+  EXPECT_EQ(loading(file, {"e.0.a=1"}), (Lines{"--set e.0.a: '0' is not an item: the list has 0"}));
 }
 
 TEST_F(DocumentTest, NamesTheNumberOfAnItemWithAMistake) {

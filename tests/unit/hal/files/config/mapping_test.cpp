@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::array kPhases = {Option<int>{"aligned", 1}, Option<int>{"uniform", 2}};
+const std::vector<std::string> kPhases{"aligned", "uniform"};
 
 class MappingTest : public Files {
  protected:
@@ -38,7 +38,7 @@ TEST_F(MappingTest, ReadsEveryKindOfValue) {
         EXPECT_EQ(in.text(key("name")), "m{}");
         EXPECT_EQ(in.vec2(key("at"), "m", {-5, 5}), (Vec2{1, -0.02}));
         EXPECT_EQ(in.vec3(key("size"), "m", {0, 5}), (Vec3{1, 2, 3}));
-        EXPECT_EQ(in.choice(key("phase"), kPhases), 2);
+        EXPECT_EQ(in.choice(key("phase"), kPhases), 1u);
         EXPECT_EQ(in.texts(key("list")).at(1).text, "b");
         Mapping inner = in.mapping(key("inner"));
         EXPECT_EQ(inner.number(key("x"), "1", {0, 1}), 1);
@@ -56,7 +56,7 @@ TEST_F(MappingTest, KeepsWhatIsOtherwiseTrueForAbsentKeys) {
     EXPECT_TRUE(in.flag(key("on"), true));
     EXPECT_EQ(in.text(key("name"), "x"), "x");
     EXPECT_EQ(in.optional_duration(key("timeout"), 0, 1s), 1s);
-    EXPECT_EQ(in.choice(key("phase"), kPhases, 2), 2);
+    EXPECT_EQ(in.choice(key("phase"), kPhases, 1), 1u);
     EXPECT_TRUE(in.mappings(key("items")).empty());
     EXPECT_TRUE(in.texts(key("list")).empty());
   });

@@ -219,7 +219,7 @@ TEST_F(FieldsTest, AMistakeHasTheKeysPlaceAndTheRestIsRead) {
 
 TEST_F(FieldsTest, AlternativesExcludeEachOther) {
   EXPECT_EQ(messages([&] { read("shape: {disc: {radius: 1 m}, bar: {size: [1 m, 1 m, 1 m]}}"); }),
-            (std::vector<std::string>{"thing.yaml:1:30: shape.bar: cannot stand beside disc"}));
+            (std::vector<std::string>{"thing.yaml:1:30: shape.bar: cannot be combined with disc"}));
   EXPECT_TRUE(std::holds_alternative<std::monostate>(read("shape: {}").shape));
 }
 
