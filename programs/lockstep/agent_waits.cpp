@@ -35,7 +35,10 @@ void futex_wake(std::atomic<std::uint32_t>& word) {
 }  // namespace
 
 AgentWaits::AgentWaits(WaitPage& page, Settings settings)
-    : page_(page), settings_(std::move(settings)), tasks_(settings_.processes) {}
+    : page_(page),
+      settings_(std::move(settings)),
+      tasks_(settings_.processes),
+      charge_(settings_.per_wake) {}
 
 void AgentWaits::set_time(std::int64_t now) { page_.now.store(now); }
 
@@ -281,15 +284,24 @@ bool AgentWaits::is_unsettled(std::uint32_t seen) {
   return true;
 }
 
+std::optional<std::size_t> AgentWaits::next_turn() {
+  const auto wants = [this](std::size_t i) { return slot(i).state.load() == SlotState::kWants; };
+  std::size_t first = charge_.slot().value_or(0);
+  if (!wants(first)) {
+    charge_.drop();
+    for (first = 0; first < used() && !wants(first);) ++first;
+  }
+  if (first == used() || !charge_.is_paid(first, page_.now.load())) return std::nullopt;
+  return first;
+}
+
 bool AgentWaits::settle() {
   running_since_ = wall_time();
   while (!is_broken_off()) {
     const std::uint32_t seen = page_.event.load();
     if (is_unsettled(seen)) continue;
-    std::size_t first = 0;
-    while (first < used() && slot(first).state.load() != SlotState::kWants) ++first;
-    if (first < used()) {
-      grant(first);
+    if (const auto next = next_turn()) {
+      grant(*next);
     } else if (page_.event.load() == seen && !looks_at_parked_) {
       return true;
     }

@@ -104,7 +104,7 @@ void AgentWaits::expire_wait(std::size_t i) {
 }
 
 std::optional<std::int64_t> AgentWaits::deadline() const {
-  std::int64_t earliest = netns::kNever;
+  std::int64_t earliest = charge_.due().value_or(netns::kNever);
   for (std::size_t i = 0; i < used(); ++i) {
     const WaitSlot& one = page_.slots[i];
     const SlotState state = one.state.load();

@@ -152,9 +152,9 @@ class Waits(Held):
 
 @unittest.skipIf(REFUSED, REFUSED)
 class Exact(Held):
-    def echo(self, program=(PYTHON, "-c", ECHO), *more):
+    def echo(self, program=(PYTHON, "-c", ECHO), *more, network="{}"):
         file = scenario(self.folder, {"a": [("ping", [*program, "10.77.0.2", *more], ", on_exit: end")],
-                                      "b": [("pong", program, "")]})
+                                      "b": [("pong", program, "")]}, network=network)
         finished = self.run_held(file)
         return finished, [int(line) for line in self.log("a", "ping").split()]
 
@@ -182,6 +182,33 @@ class Exact(Held):
         self.assertEqual(len(took), 1000)
         self.assertEqual(took[1:], self.expected()[1:])
         self.assertEqual(finished["frames_dropped"], "0")
+
+    def test_waking_up_takes_as_long_as_the_scenario_says(self):
+        """The program in b reads a request, and that in a its answer, 20 us after it came in."""
+        wake = 20_000
+        finished, took = self.echo((ECHO_IN_C,), 100, network="{cpu: {per_wake: 20 us}}")
+        self.assertEqual(len(took), 100)
+        self.assertEqual(took[1:], [at + wake for at in self.expected()[1:]])
+        asked = [at for at, in self.query("SELECT e.at_ns FROM frame_ends e JOIN frames f USING (frame) WHERE e.agent = 2 AND "
+                                          "f.class = 'unicast' AND f.bits > 0 AND f.receiver = 2 AND e.verdict = 'delivered' AND "
+                                          "f.protocol LIKE '%UDP%' ORDER BY e.at_ns")]
+        answered = [at for at, packet in self.query("SELECT at_ns, bytes FROM arrivals WHERE door = 'air of b' ORDER BY rowid")
+                    if packet[24:28] == "0800" and packet[46:48] == "11"]
+        self.assertEqual(answered, [at + wake for at in asked])
+        again = self.echo((ECHO_IN_C,), 100, network="{cpu: {per_wake: 20 us}}")
+        self.assertEqual((again[0]["frames_digest"], again[0]["fingerprint"]), (finished["frames_digest"], finished["fingerprint"]))
+
+    def test_threads_that_are_woken_together_take_the_processor_one_after_the_other(self):
+        code = ("import threading, time\nat = []\n"
+                "def sleep():\n    time.sleep(until - time.monotonic())\n    at.append(time.monotonic_ns() - base)\n"
+                "base = time.monotonic_ns()\nuntil = time.monotonic() + 1\n"
+                "threads = [threading.Thread(target=sleep) for _ in range(3)]\n"
+                "[one.start() for one in threads]; time.sleep(3); print(*at)")
+        file = scenario(self.folder, {"a": [("sleep", [PYTHON, "-c", code], ", on_exit: end")]}, network="{cpu: {per_wake: 1 ms}}")
+        self.run_held(file)
+        first, *others = map(int, self.log("a", "sleep").split())
+        self.assertGreaterEqual(first, 1_001_000_000 - 1000)
+        self.assertEqual([at - first for at in others], [1_000_000, 2_000_000])
 
     def test_they_are_the_same_beside_busy_loops_and_when_repeated(self):
         alone = self.echo()

@@ -143,6 +143,7 @@ LockstepBridge::Station NetworkOfRun::station(std::size_t i, pace::WallPace& pac
               .agent = name,
               .processes = namespaces_->processes(i),
               .allow_unknown = agent->network->unknown_waits == sim::air::UnknownWaits::kAllow,
+              .per_wake = agent->network->per_wake.count(),
               .may_go_on = [&pace] { return !pace.is_broken_off(); },
               .warn = [](const std::string& what) { hal::log::warning({}, "run", "{}", what); }}};
 }
