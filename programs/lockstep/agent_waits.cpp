@@ -128,6 +128,7 @@ void AgentWaits::look_at_running(std::size_t i) {
     thread.asleep_since = 0;
     return;
   }
+  if (state == KernelState::kStopped) return go_on_without(i);
   if (thread.asleep_since == 0) {
     thread.asleep_since = wall_time();
     return;
@@ -136,13 +137,17 @@ void AgentWaits::look_at_running(std::size_t i) {
   const std::string what = fmt::format("{}: {} waits in {}, of which lock-step does not know",
                                        settings_.agent, thread.kernel.name(), thread.kernel.call());
   if (!settings_.allow_unknown) throw std::runtime_error(what);
-  thread.is_in_unknown_call = true;
   ++counts_.unknown;
+  go_on_without(i);
+}
+
+void AgentWaits::go_on_without(std::size_t i) {
+  threads_[i].is_in_unknown_call = true;
   auto running = SlotState::kRunning;
   slot(i).state.compare_exchange_strong(running, SlotState::kUnknown);
 }
 
-/// Whether it is in an unknown call still, so that the others need not wait for it.
+/// Whether it is in an unknown call, or stopped, still, so that the others need not wait for it.
 bool AgentWaits::is_in_unknown_call(std::size_t i) {
   if (!threads_[i].is_in_unknown_call) return false;
   const KernelState state = look(i);
@@ -183,6 +188,11 @@ void AgentWaits::warn_of_long_run() {
       settings_.warn(
           fmt::format("{}: a program does not load libbaraka_lockstep.so", settings_.agent));
     }
+    if (const std::string debugger = threads_[i].kernel.debugger(); !debugger.empty()) {
+      settings_.warn(fmt::format("{}: {} is stopped by {}; virtual time stands until it goes on",
+                                 settings_.agent, threads_[i].kernel.name(), debugger));
+      continue;
+    }
     if (slot(i).state.load() != SlotState::kRunning || look(i) == KernelState::kGone) continue;
     settings_.warn(
         fmt::format("{}: {} has run for {} s without waiting for anything; virtual time "
@@ -213,14 +223,16 @@ bool AgentWaits::is_asleep(std::size_t i) {
     const std::uint32_t seen = page_.event.load();
     const KernelState state = look(i);
     if (slot(i).state.load() != before) break;
-    if (state == KernelState::kAsleep) return true;
+    if (state == KernelState::kAsleep || state == KernelState::kStopped) return true;
     has_seen_awake_ = true;
     if (state == KernelState::kGone) {
       release(i);
       break;
     }
     if (looks >= kAtOnce) wait_for_event(seen, (looks < kShortWaits ? 30 : 300) * kMicrosecond);
-    if (looks > kShortWaits && is_broken_off()) break;
+    if (looks <= kShortWaits) continue;
+    warn_of_long_run();
+    if (is_broken_off()) break;
   }
   return false;
 }

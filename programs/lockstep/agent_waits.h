@@ -104,6 +104,8 @@ class AgentWaits {
   KernelState look(std::size_t i);
   bool is_one_running(std::uint32_t seen);
   void look_at_running(std::size_t i);
+  /// Until it waits again, or its call ends.
+  void go_on_without(std::size_t i);
   bool is_in_unknown_call(std::size_t i);
   /// Whether only the kernel knows if a thread that has published a wait is asleep.
   bool is_to_be_seen(std::size_t i, bool looks_at_parked) const;
