@@ -12,6 +12,7 @@
 
 #include "baraka/run/network/neighbour_tables.h"
 #include "hal/types/log.h"
+#include "programs/lockstep/kernel_needs.h"
 #include "sim/scenario/plan.h"
 
 namespace baraka::run::network {
@@ -98,7 +99,10 @@ NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario,
   }
   programs::netns::Settings settings = settings_of(scenario, time, results_());
   settings.shown = {std::filesystem::absolute(file).parent_path()};
-  if (time.is_held) use_of_processor_.emplace(processor_.emplace());
+  if (time.is_held) {
+    programs::lockstep::require_kernel();
+    use_of_processor_.emplace(processor_.emplace());
+  }
   namespaces_.emplace(settings);
   use_of_processor_.reset();
   const std::string& why = namespaces_->why_only_user_0();
