@@ -126,6 +126,7 @@ void AgentWaits::release_timers(pid_t process) {
   if (has_threads) return;
   for (WaitSlot& one : slots) {
     if (!is_its(one) || !is_timer(one)) continue;
+    netns::hand_over(one, slots);
     one.process = 0;
     one.state = SlotState::kFree;
   }

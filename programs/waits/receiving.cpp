@@ -55,6 +55,13 @@ bool is_stream(int socket) {
          type == SOCK_STREAM;
 }
 
+/// Waits for more of what MSG_WAITALL asks for. Linux gives the part that there is if a time-out or
+/// any handler ends the wait, also one after which other calls go on (SA_RESTART).
+bool goes_on(int socket, programs::waits::Nanoseconds deadline) {
+  pollfd one{socket, POLLIN, 0};
+  return programs::waits::wait_for_descriptors(&one, 1, deadline, nullptr) > 0;
+}
+
 /// @param length  bytes that are asked for; with MSG_WAITALL a stream is to give as many.
 /// @param call  from a byte on, with flags.
 template <class Call>
@@ -66,6 +73,7 @@ ssize_t receive(int socket, int flags, std::size_t length, const Call& call) {
   const auto deadline = waits ? receive_deadline(socket) : 0;
   std::size_t received = 0;
   for (;;) {
+    if (received > 0 && !goes_on(socket, deadline)) return static_cast<ssize_t>(received);
     const ssize_t some = until_done(socket, POLLIN, waits, deadline, [&](bool no_wait) {
       return call(received, no_wait ? flags | MSG_DONTWAIT : flags);
     });

@@ -39,16 +39,16 @@ for i in range(1000):
 """
 
 
-# A thread waits for a lock that the kernel hands over with the priority of its owner, and gets it after 0.5 s: FUTEX_LOCK_PI and
-# FUTEX_UNLOCK_PI of futex(2), which nobody replaces.
+# A thread waits to be moved to a lock that the kernel hands over with the priority of its owner, and gets it after 0.5 s:
+# FUTEX_WAIT_REQUEUE_PI and FUTEX_CMP_REQUEUE_PI of futex(2), which nobody replaces.
 UNKNOWN_WAIT = """
 import ctypes, threading, time
-futex = lambda operation: ctypes.CDLL(None).syscall(202, ctypes.byref(word), operation, 0, None)
-word = ctypes.c_int(threading.get_native_id())
-other = threading.Thread(target=futex, args=(6,))
+futex = ctypes.CDLL(None).syscall
+word, lock = ctypes.c_int(0), ctypes.c_int(0)
+other = threading.Thread(target=lambda: futex(202, ctypes.byref(word), 11, 0, None, ctypes.byref(lock), 0))
 other.start()
 time.sleep(0.5)
-futex(7)
+futex(202, ctypes.byref(word), 12, 1, 0, ctypes.byref(lock), 0)
 other.join()
 print("got it", time.clock_gettime(time.CLOCK_BOOTTIME))
 """
