@@ -32,6 +32,10 @@ void futex_wake(std::atomic<std::uint32_t>& word) {
   syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0);
 }
 
+bool sleeps(KernelState state) {
+  return state == KernelState::kAsleep || state == KernelState::kStopped;
+}
+
 }  // namespace
 
 AgentWaits::AgentWaits(WaitPage& page, Settings settings)
@@ -223,16 +227,14 @@ bool AgentWaits::is_asleep(std::size_t i) {
     const std::uint32_t seen = page_.event.load();
     const KernelState state = look(i);
     if (slot(i).state.load() != before) break;
-    if (state == KernelState::kAsleep || state == KernelState::kStopped) return true;
+    if (sleeps(state)) return true;
     has_seen_awake_ = true;
     if (state == KernelState::kGone) {
       release(i);
       break;
     }
     if (looks >= kAtOnce) wait_for_event(seen, (looks < kShortWaits ? 30 : 300) * kMicrosecond);
-    if (looks <= kShortWaits) continue;
-    warn_of_long_run();
-    if (is_broken_off()) break;
+    if (looks > kShortWaits && is_broken_off_meanwhile()) break;
   }
   return false;
 }
@@ -286,6 +288,11 @@ bool AgentWaits::is_broken_off() {
   asked_at_ = now;
   is_broken_off_ = !settings_.may_go_on();
   return is_broken_off_;
+}
+
+bool AgentWaits::is_broken_off_meanwhile() {
+  warn_of_long_run();
+  return is_broken_off();
 }
 
 /// Whether something has to be waited for before the next thread may go on.

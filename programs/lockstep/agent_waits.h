@@ -125,6 +125,7 @@ class AgentWaits {
   bool wake(std::uint64_t object);
   void wait_for_event(std::uint32_t seen, std::int64_t longest);
   bool is_broken_off();
+  bool is_broken_off_meanwhile();
   void warn_of_long_run();
 
   netns::WaitPage& page_;

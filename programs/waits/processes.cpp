@@ -19,7 +19,6 @@
 #include "programs/waits/cancellation.h"
 #include "programs/waits/descriptors.h"
 #include "programs/waits/entropy.h"
-#include "programs/waits/timers.h"
 #include "programs/waits/turn.h"
 
 namespace {
@@ -128,9 +127,7 @@ std::map<FILE*, pid_t>& shells() {
 BARAKA_EXPORTED pid_t fork() noexcept {
   if (own_slot() == nullptr) return BARAKA_NEXT(fork)();
   WaitSlot& slot = programs::waits::expect_one();
-  programs::waits::reserve_timers_of_child();
   const pid_t child = BARAKA_NEXT(fork)();
-  if (child != 0) programs::waits::give_timers_to(child);
   if (child < 0) programs::waits::give_back_slot(slot);
   if (child > 0) programs::waits::expected_is(slot, child);  // it may be killed before it says
   if (child == 0) {

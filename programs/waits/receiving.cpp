@@ -73,13 +73,13 @@ ssize_t receive(int socket, int flags, std::size_t length, const Call& call) {
   const auto deadline = waits ? receive_deadline(socket) : 0;
   std::size_t received = 0;
   for (;;) {
-    if (received > 0 && !goes_on(socket, deadline)) return static_cast<ssize_t>(received);
     const ssize_t some = until_done(socket, POLLIN, waits, deadline, [&](bool no_wait) {
       return call(received, no_wait ? flags | MSG_DONTWAIT : flags);
     });
     if (some <= 0) return received > 0 ? static_cast<ssize_t>(received) : some;
     received += static_cast<std::size_t>(some);
-    if (!waits_for_all || received >= length) return static_cast<ssize_t>(received);
+    if (!waits_for_all || received >= length || !goes_on(socket, deadline))
+      return static_cast<ssize_t>(received);
   }
 }
 

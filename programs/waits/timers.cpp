@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 
@@ -37,6 +38,37 @@ WaitSlot* timer_of(int descriptor, int signal) {
     }
   }
   return nullptr;
+}
+
+/// The timers of descriptors that this process has made or has by fork(), which copies this. It
+/// takes a slot for the latter when it asks for them first. Those beyond are of their maker alone.
+struct Known {
+  std::uint64_t timer = 0;  ///< WaitSlot::value; 0: none.
+  int descriptor = -1;
+  clockid_t clock = CLOCK_MONOTONIC;
+};
+std::array<Known, 64> known;
+
+void note(const Known& one) {
+  const auto free = std::ranges::find(known, std::uint64_t{0}, &Known::timer);
+  if (free != known.end()) *free = one;
+}
+
+void forget_timer(int descriptor) {
+  const auto one = std::ranges::find(known, descriptor, &Known::descriptor);
+  if (one != known.end()) *one = {};
+}
+
+/// The slot of this process's timer of a descriptor; null: there is none.
+WaitSlot* timer_of_descriptor(int descriptor) {
+  if (own_slot() == nullptr) return nullptr;
+  if (WaitSlot* const timer = timer_of(descriptor, 0); timer != nullptr) return timer;
+  const auto inherited = std::ranges::find(known, descriptor, &Known::descriptor);
+  if (inherited == known.end()) return nullptr;
+  WaitSlot& timer = programs::waits::new_timer(descriptor, 0);
+  timer.thread = inherited->clock;
+  timer.value = inherited->timer;
+  return &timer;
 }
 
 /// Another slot of a timer of a descriptor, in another process that has it by fork(), too.
@@ -107,37 +139,11 @@ itimerspec setting_of(Nanoseconds next, Nanoseconds interval) {
 }
 
 void close_timer(int descriptor) {
+  forget_timer(descriptor);
   WaitSlot* const timer = own_slot() == nullptr ? nullptr : timer_of(descriptor, 0);
   if (timer == nullptr) return;
   netns::hand_over(*timer, page()->slots);
   give_back_slot(*timer);
-}
-
-void reserve_timers_of_child() {
-  const auto process = own_slot()->process.load();
-  for (std::uint32_t i = 0; i < page()->used.load(); ++i) {
-    const WaitSlot& timer = page()->slots[i];
-    const bool is_own = timer.state.load() == SlotState::kTimer && timer.descriptor.load() >= 0 &&
-                        timer.process.load() == process;
-    if (!is_own) continue;
-    WaitSlot& slot = new_timer(timer.descriptor.load(), 0);
-    slot.process = netns::kNewThread;
-    slot.thread = timer.thread.load();
-    slot.value = timer.value.load();
-  }
-}
-
-void give_timers_to(pid_t child) {
-  for (std::uint32_t i = 0; i < page()->used.load(); ++i) {
-    WaitSlot& slot = page()->slots[i];
-    if (slot.state.load() != SlotState::kTimer || slot.process.load() != netns::kNewThread)
-      continue;
-    if (child > 0) {
-      slot.process = child;
-    } else {
-      give_back_slot(slot);
-    }
-  }
 }
 
 }  // namespace programs::waits
@@ -156,12 +162,13 @@ BARAKA_EXPORTED int timerfd_create(clockid_t clock, int flags) noexcept {
   WaitSlot& timer = new_timer(descriptor, 0);
   timer.thread = clock;
   timer.value = programs::waits::page()->tickets.fetch_add(1) + 1;
+  note({timer.value.load(), descriptor, clock});
   return descriptor;
 }
 
 BARAKA_EXPORTED int timerfd_settime(int descriptor, int flags, const itimerspec* setting,
                                     itimerspec* before) noexcept {
-  WaitSlot* const timer = own_slot() == nullptr ? nullptr : timer_of(descriptor, 0);
+  WaitSlot* const timer = timer_of_descriptor(descriptor);
   if (timer == nullptr || setting == nullptr) {
     return BARAKA_NEXT(timerfd_settime)(descriptor, flags, setting, before);
   }
@@ -186,7 +193,7 @@ BARAKA_EXPORTED int timerfd_settime(int descriptor, int flags, const itimerspec*
 }
 
 BARAKA_EXPORTED int timerfd_gettime(int descriptor, itimerspec* setting) noexcept {
-  const WaitSlot* const timer = own_slot() == nullptr ? nullptr : timer_of(descriptor, 0);
+  const WaitSlot* const timer = timer_of_descriptor(descriptor);
   if (timer == nullptr) return BARAKA_NEXT(timerfd_gettime)(descriptor, setting);
   *setting = setting_of_shared(*timer);
   return 0;

