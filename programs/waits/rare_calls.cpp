@@ -194,22 +194,35 @@ long answer_files(long number, const Arguments& a) {
   }
 }
 
-/// Said once by each process.
-long refuse_io_uring() {
-  static std::atomic<bool> is_said = false;
-  constexpr char kText[] = "baraka: io_uring is not available in lock-step\n";
+/// @param is_said  once by each process.
+long refuse(const char* text, std::atomic<bool>& is_said) {
   if (!is_said.exchange(true)) {
-    kernel_call(SYS_write, {STDERR_FILENO, reinterpret_cast<long>(kText),
-                            static_cast<long>(std::strlen(kText)), 0, 0, 0});
+    kernel_call(SYS_write, {STDERR_FILENO, reinterpret_cast<long>(text),
+                            static_cast<long>(std::strlen(text)), 0, 0, 0});
   }
   errno = ENOSYS;
   return -1;
+}
+
+long refuse_io_uring() {
+  static std::atomic<bool> is_said = false;
+  return refuse("baraka: io_uring is not available in lock-step\n", is_said);
+}
+
+/// Who traces another one waits until it stops, and that one stands still: neither would get a
+/// turn.
+long refuse_ptrace() {
+  static std::atomic<bool> is_said = false;
+  return refuse(
+      "baraka: ptrace is not available in lock-step; attach debuggers from outside the agent\n",
+      is_said);
 }
 
 }  // namespace
 
 long answer_rare(long number, const Arguments& a) {
   if (number == SYS_io_uring_setup) return refuse_io_uring();
+  if (number == SYS_ptrace) return refuse_ptrace();
   if (number == SYS_futex_waitv) {
     errno = ENOSYS;  // those who ask for it have another way
     return -1;

@@ -464,12 +464,16 @@ def call(name, *arguments):
 for i in range(2):
     call("syscall", 425, 8, 0)  # io_uring_setup
 call("syscall", 449, 0, 0, 0, None, 0)  # futex_waitv
+for i in range(2):
+    call("ptrace", 0, 0, 0, 0)  # PTRACE_TRACEME
 queue = c.mq_open(b"/queue", os.O_RDWR | os.O_CREAT, 0o600, None)
 call("mq_notify", queue, struct.pack("<qii48x", 0, 0, 2))  # SIGEV_THREAD
 """
         self.run_held(scenario(self.folder, {"a": [("ring", [PYTHON, "-c", code], ", on_exit: end")]}))
         self.assertEqual(self.log("a", "ring"), "baraka: io_uring is not available in lock-step\n" +
                          3 * "syscall -1 Function not implemented\n" +
+                         "baraka: ptrace is not available in lock-step; attach debuggers from outside the agent\n" +
+                         2 * "ptrace -1 Function not implemented\n" +
                          "baraka: mq_notify() with SIGEV_THREAD is not available in lock-step\n" +
                          "mq_notify -1 Function not implemented\n")
 
