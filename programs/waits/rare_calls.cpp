@@ -22,6 +22,7 @@
 #include <cstring>
 #include <ctime>
 
+#include "programs/waits/kernel_aio.h"
 #include "programs/waits/kernel_call.h"
 #include "programs/waits/signals.h"
 #include "programs/waits/turn.h"
@@ -141,6 +142,11 @@ long answer_descriptors(long number, const Arguments& a) {
       return tee(first, number_of(a[1]), size_of(a[2]), static_cast<unsigned>(a[3]));
     case SYS_vmsplice:
       return vmsplice(first, pointer<iovec>(a[1]), size_of(a[2]), static_cast<unsigned>(a[3]));
+    case SYS_io_submit:
+      return submit_to_kernel(a);
+    case SYS_io_getevents:
+    case SYS_io_pgetevents:
+      return get_kernel_events(number, a);
     case SYS_sendfile:
       return sendfile(first, number_of(a[1]), pointer<off_t>(a[2]), size_of(a[3]));
     default:

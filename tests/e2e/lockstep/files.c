@@ -5,6 +5,7 @@
 #include <arpa/inet.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/aio_abi.h>
 #include <netdb.h>
 #include <nss.h>
 #include <poll.h>
@@ -14,8 +15,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <sys/fanotify.h>
+#include <sys/file.h>
 #include <sys/inotify.h>
 #include <sys/sendfile.h>
 #include <sys/socket.h>
@@ -405,6 +406,22 @@ static void hear_of_list(void) {
 }
 static void by_thread_of_list(void) { with_pipes(write_later, hear_of_list); }
 
+// ---- the kernel's own
+static aio_context_t context;
+static void poll_by_kernel(void) {
+  struct iocb wanted = {.aio_lio_opcode = IOCB_CMD_POLL, .aio_fildes = (uint32_t)from[0], .aio_buf = POLLIN, .aio_data = 7};
+  struct iocb* all[1] = {&wanted};
+  struct io_event event;
+  check(syscall(SYS_io_submit, context, 1, all) == 1, "io_submit");
+  check(syscall(SYS_io_getevents, context, 1, 1, &event, &(struct timespec){0, 1000}) == 0, "io_getevents until");
+  check(syscall(SYS_io_getevents, context, 1, 1, &event, NULL) == 1 && event.data == 7, "io_getevents");
+}
+static void by_io_getevents(void) {
+  check(syscall(SYS_io_setup, 8, &context) == 0, "io_setup");
+  with_pipes(write_later, poll_by_kernel);
+  syscall(SYS_io_destroy, context);
+}
+
 // ---- the resolver
 /// Nobody answers at this port.
 static void by_getaddrinfo(void) {
@@ -455,6 +472,7 @@ const struct Kind file_kinds[] = {
     {"lio_listio", by_lio_listio, 1234567},
     {"aio, signal", by_signal_of_aio, 1234567},
     {"lio_listio, LIO_NOWAIT", by_thread_of_list, 1234567},
+    {"io_getevents", by_io_getevents, 1234567},
     {"getaddrinfo", by_getaddrinfo, 1000000000},
 };
 const size_t file_kinds_count = sizeof file_kinds / sizeof *file_kinds;
