@@ -32,10 +32,17 @@ void futex_wake(std::atomic<std::uint32_t>& word) {
   syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0);
 }
 
+bool sleeps(KernelState state) {
+  return state == KernelState::kAsleep || state == KernelState::kStopped;
+}
+
 }  // namespace
 
 AgentWaits::AgentWaits(WaitPage& page, Settings settings)
-    : page_(page), settings_(std::move(settings)), tasks_(settings_.processes) {}
+    : page_(page),
+      settings_(std::move(settings)),
+      tasks_(settings_.processes),
+      charge_(settings_.per_wake) {}
 
 void AgentWaits::set_time(std::int64_t now) { page_.now.store(now); }
 
@@ -125,6 +132,7 @@ void AgentWaits::look_at_running(std::size_t i) {
     thread.asleep_since = 0;
     return;
   }
+  if (state == KernelState::kStopped) return go_on_without(i);
   if (thread.asleep_since == 0) {
     thread.asleep_since = wall_time();
     return;
@@ -133,13 +141,17 @@ void AgentWaits::look_at_running(std::size_t i) {
   const std::string what = fmt::format("{}: {} waits in {}, of which lock-step does not know",
                                        settings_.agent, thread.kernel.name(), thread.kernel.call());
   if (!settings_.allow_unknown) throw std::runtime_error(what);
-  thread.is_in_unknown_call = true;
   ++counts_.unknown;
+  go_on_without(i);
+}
+
+void AgentWaits::go_on_without(std::size_t i) {
+  threads_[i].is_in_unknown_call = true;
   auto running = SlotState::kRunning;
   slot(i).state.compare_exchange_strong(running, SlotState::kUnknown);
 }
 
-/// Whether it is in an unknown call still, so that the others need not wait for it.
+/// Whether it is in an unknown call, or stopped, still, so that the others need not wait for it.
 bool AgentWaits::is_in_unknown_call(std::size_t i) {
   if (!threads_[i].is_in_unknown_call) return false;
   const KernelState state = look(i);
@@ -180,6 +192,11 @@ void AgentWaits::warn_of_long_run() {
       settings_.warn(
           fmt::format("{}: a program does not load libbaraka_lockstep.so", settings_.agent));
     }
+    if (const std::string debugger = threads_[i].kernel.debugger(); !debugger.empty()) {
+      settings_.warn(fmt::format("{}: {} is stopped by {}; virtual time stands until it goes on",
+                                 settings_.agent, threads_[i].kernel.name(), debugger));
+      continue;
+    }
     if (slot(i).state.load() != SlotState::kRunning || look(i) == KernelState::kGone) continue;
     settings_.warn(
         fmt::format("{}: {} has run for {} s without waiting for anything; virtual time "
@@ -210,7 +227,7 @@ bool AgentWaits::is_asleep(std::size_t i) {
     const std::uint32_t seen = page_.event.load();
     const KernelState state = look(i);
     if (slot(i).state.load() != before) break;
-    if (state == KernelState::kAsleep) return true;
+    if (sleeps(state)) return true;
     has_seen_awake_ = true;
     if (state == KernelState::kGone) {
       release(i);
@@ -218,7 +235,7 @@ bool AgentWaits::is_asleep(std::size_t i) {
     }
     // It may have to run on this thread's processor.
     wait_for_event(seen, (looks < kShortWaits ? 30 : 300) * kMicrosecond);
-    if (looks > kShortWaits && is_broken_off()) break;
+    if (looks > kShortWaits && is_broken_off_meanwhile()) break;
   }
   return false;
 }
@@ -279,6 +296,11 @@ bool AgentWaits::is_broken_off() {
   return is_broken_off_;
 }
 
+bool AgentWaits::is_broken_off_meanwhile() {
+  warn_of_long_run();
+  return is_broken_off();
+}
+
 /// Whether something has to be waited for before the next thread may go on.
 bool AgentWaits::is_unsettled(std::uint32_t seen) {
   if (is_one_running(seen)) return true;
@@ -287,16 +309,25 @@ bool AgentWaits::is_unsettled(std::uint32_t seen) {
   return true;
 }
 
+std::optional<std::size_t> AgentWaits::next_turn() {
+  const auto wants = [this](std::size_t i) { return slot(i).state.load() == SlotState::kWants; };
+  std::size_t first = charge_.slot().value_or(0);
+  if (!wants(first)) {
+    charge_.drop();
+    for (first = 0; first < used() && !wants(first);) ++first;
+  }
+  if (first == used() || !charge_.is_paid(first, page_.now.load())) return std::nullopt;
+  return first;
+}
+
 bool AgentWaits::settle() {
   running_since_ = wall_time();
   is_stirred_ = true;
   while (!is_broken_off()) {
     const std::uint32_t seen = page_.event.load();
     if (is_unsettled(seen)) continue;
-    std::size_t first = 0;
-    while (first < used() && slot(first).state.load() != SlotState::kWants) ++first;
-    if (first < used()) {
-      grant(first);
+    if (const auto next = next_turn()) {
+      grant(*next);
     } else if (page_.event.load() == seen && !looks_at_parked_) {
       return true;
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "programs/lockstep/kernel_thread.h"
+#include "programs/lockstep/processor_charge.h"
 #include "programs/netns/wait_page.h"
 
 namespace programs::lockstep {
@@ -27,6 +28,7 @@ class AgentWaits {
     std::string agent;           ///< Its name, for messages.
     ino_t processes = 0;         ///< Inode of its namespace of process numbers.
     bool allow_unknown = false;  ///< A thread that waits in an unknown call counts as waiting.
+    std::int64_t per_wake = 0;   ///< Virtual time that the processor takes before each turn, ns.
     /// Called every 50 ms of wall time while programs run. @return false: the run is broken off.
     std::function<bool()> may_go_on;
     std::function<void(const std::string&)> warn;
@@ -49,7 +51,8 @@ class AgentWaits {
   /// affair. @return whether timers are left, which are to expire once all wait again.
   bool expire();
 
-  /// Lets threads that want to go on do so, the one with the lowest slot first, until all wait.
+  /// Lets threads that want to go on do so, the one with the lowest slot first, until all wait, or
+  /// for the processor.
   /// @return false: broken off. @throws std::runtime_error  a thread waits in an unknown call, or a
   ///   program did not load the library.
   bool settle();
@@ -101,6 +104,8 @@ class AgentWaits {
   KernelState look(std::size_t i);
   bool is_one_running(std::uint32_t seen);
   void look_at_running(std::size_t i);
+  /// Until it waits again, or its call ends.
+  void go_on_without(std::size_t i);
   bool is_in_unknown_call(std::size_t i);
   /// Whether only the kernel knows if a thread that has published a wait is asleep.
   bool is_to_be_seen(std::size_t i, bool looks_at_parked, bool is_stirred) const;
@@ -110,6 +115,8 @@ class AgentWaits {
   bool is_unsettled(std::uint32_t seen);
   void release(std::size_t i);
   void release_timers(pid_t process);
+  /// Whose turn is next; none: nobody's, or the processor is busy until deadline().
+  std::optional<std::size_t> next_turn();
   void grant(std::size_t i);
   void see_all_asleep();
   void fire(std::size_t i);
@@ -118,6 +125,7 @@ class AgentWaits {
   bool wake(std::uint64_t object);
   void wait_for_event(std::uint32_t seen, std::int64_t longest);
   bool is_broken_off();
+  bool is_broken_off_meanwhile();
   void warn_of_long_run();
 
   netns::WaitPage& page_;
@@ -125,6 +133,7 @@ class AgentWaits {
   AgentTasks tasks_;
   std::array<Thread, netns::WaitPage::kSlots> threads_;
   std::vector<std::size_t> ended_;
+  ProcessorCharge charge_;
   bool has_seen_awake_ = false;  ///< A thread that was looked at by are_all_asleep().
   /// Threads that wait in the kernel may have been woken since they were last looked at: by the
   /// run, or by system calls of the programs, WaitPage::stirs.

@@ -104,7 +104,7 @@ void AgentWaits::expire_wait(std::size_t i) {
 }
 
 std::optional<std::int64_t> AgentWaits::deadline() const {
-  std::int64_t earliest = netns::kNever;
+  std::int64_t earliest = charge_.due().value_or(netns::kNever);
   for (std::size_t i = 0; i < used(); ++i) {
     const WaitSlot& one = page_.slots[i];
     const SlotState state = one.state.load();
@@ -126,6 +126,7 @@ void AgentWaits::release_timers(pid_t process) {
   if (has_threads) return;
   for (WaitSlot& one : slots) {
     if (!is_its(one) || !is_timer(one)) continue;
+    netns::hand_over(one, slots);
     one.process = 0;
     one.state = SlotState::kFree;
   }

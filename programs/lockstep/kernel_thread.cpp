@@ -98,6 +98,7 @@ KernelState KernelThread::look() const {
   const std::string_view stat = read_at_begin(stat_.get(), text);
   const char state = stat.empty() ? 'X' : state_in(stat);
   if (state == 'X' || state == 'Z') return KernelState::kGone;
+  if (state == 'T') return KernelState::kStopped;
   if (state != 'S') return KernelState::kAwake;
   read_at_begin(syscall_.get(), text);
   return read_at_begin(wchan_.get(), text).starts_with('0') ? KernelState::kAwake
@@ -115,6 +116,22 @@ std::string KernelThread::call() const {
   const std::string_view number = read_at_begin(syscall_.get(), call);
   return fmt::format("system call {} (wchan {})", number.substr(0, number.find(' ')),
                      read_at_begin(wchan_.get(), function));
+}
+
+std::string KernelThread::debugger() const {
+  constexpr std::string_view kTracer = "TracerPid:\t";
+  Text text{};
+  if (const auto stat = read_at_begin(stat_.get(), text); stat.empty() || state_in(stat) != 't')
+    return {};
+  std::ifstream status(file("status"));
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with(kTracer)) continue;
+    const std::string process = line.substr(kTracer.size());
+    std::string name;
+    std::getline(std::ifstream(fmt::format("/proc/{}/comm", process)), name);
+    return fmt::format("{} (process {})", name, process);
+  }
+  return {};
 }
 
 pid_t AgentTasks::outside(pid_t process) {

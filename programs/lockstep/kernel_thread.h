@@ -12,9 +12,10 @@ namespace programs::lockstep {
 
 /// What the kernel says of a thread.
 enum class KernelState : std::uint8_t {
-  kAwake,   ///< It runs, may run, or waits for a disk or a debugger: it will go on by itself.
-  kAsleep,  ///< It waits for something that others have to do.
-  kGone,    ///< It has ended.
+  kAwake,    ///< It runs, may run, or waits for a disk or a debugger: it will go on by itself.
+  kAsleep,   ///< It waits for something that others have to do.
+  kStopped,  ///< By a signal (SIGSTOP, a terminal's), until another one makes it go on.
+  kGone,     ///< It has ended.
 };
 
 /// One thread of an agent, looked at from outside by the files of /proc. One thread.
@@ -40,6 +41,8 @@ class KernelThread {
   /// futex_wait_queue)".
   std::string name() const;
   std::string call() const;
+  /// Whose debugger has stopped it: "gdb (process 4711)"; empty: none has.
+  std::string debugger() const;
 
  private:
   std::string file(const char* name) const;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace programs::netns {
 
@@ -69,7 +70,8 @@ struct alignas(64) WaitSlot {
   std::atomic<std::int32_t> signal;      ///< kTimer: to be sent; 0: none.
   std::atomic<std::uint32_t> readings;   ///< Of the clock since its last wait: see WaitPage.
   std::atomic<std::int32_t> timer;       ///< kTimer of timer_create(): its number; 0: another one.
-  std::atomic<std::uint64_t> value;      ///< kTimer: what its signal carries.
+  std::atomic<std::uint64_t> value;      ///< kTimer: what its signal carries; of a descriptor: the
+                                         ///< same in all processes that share it by fork().
   std::atomic<std::int32_t> target;      ///< kTimer: the thread that gets the signal; 0: any.
   std::atomic<std::uint32_t> overruns;   ///< kTimer: expirations since its last signal was sent,
                                          ///< which was still pending. Set by the run, too.
@@ -106,6 +108,21 @@ struct WaitPage {
   std::array<std::atomic<std::uint32_t>, 256> parked;
   std::array<WaitSlot, kSlots> slots;
 };
+
+/// The timer of a descriptor goes on in another process that shares it, if there is one: before its
+/// slot is given back.
+inline void hand_over(const WaitSlot& timer, std::span<WaitSlot> slots) {
+  if (timer.descriptor.load() < 0 || timer.deadline.load() == kNever) return;
+  for (WaitSlot& other : slots) {
+    const bool is_same = &other != &timer && other.state.load() == SlotState::kTimer &&
+                         other.descriptor.load() >= 0 && other.value.load() == timer.value.load() &&
+                         other.process.load() != timer.process.load();
+    if (!is_same) continue;
+    other.interval = timer.interval.load();
+    other.deadline = timer.deadline.load();
+    return;
+  }
+}
 
 /// The place of the WaitPage in the file whose first page is the RoomPage.
 inline constexpr std::size_t kWaitPageOffset = 4096;

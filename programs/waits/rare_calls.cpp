@@ -22,6 +22,7 @@
 #include <cstring>
 #include <ctime>
 
+#include "programs/waits/kernel_aio.h"
 #include "programs/waits/kernel_call.h"
 #include "programs/waits/signals.h"
 #include "programs/waits/turn.h"
@@ -141,6 +142,11 @@ long answer_descriptors(long number, const Arguments& a) {
       return tee(first, number_of(a[1]), size_of(a[2]), static_cast<unsigned>(a[3]));
     case SYS_vmsplice:
       return vmsplice(first, pointer<iovec>(a[1]), size_of(a[2]), static_cast<unsigned>(a[3]));
+    case SYS_io_submit:
+      return submit_to_kernel(a);
+    case SYS_io_getevents:
+    case SYS_io_pgetevents:
+      return get_kernel_events(number, a);
     case SYS_sendfile:
       return sendfile(first, number_of(a[1]), pointer<off_t>(a[2]), size_of(a[3]));
     default:
@@ -194,22 +200,35 @@ long answer_files(long number, const Arguments& a) {
   }
 }
 
-/// Said once by each process.
-long refuse_io_uring() {
-  static std::atomic<bool> is_said = false;
-  constexpr char kText[] = "baraka: io_uring is not available in lock-step\n";
+/// @param is_said  once by each process.
+long refuse(const char* text, std::atomic<bool>& is_said) {
   if (!is_said.exchange(true)) {
-    kernel_call(SYS_write, {STDERR_FILENO, reinterpret_cast<long>(kText),
-                            static_cast<long>(std::strlen(kText)), 0, 0, 0});
+    kernel_call(SYS_write, {STDERR_FILENO, reinterpret_cast<long>(text),
+                            static_cast<long>(std::strlen(text)), 0, 0, 0});
   }
   errno = ENOSYS;
   return -1;
+}
+
+long refuse_io_uring() {
+  static std::atomic<bool> is_said = false;
+  return refuse("baraka: io_uring is not available in lock-step\n", is_said);
+}
+
+/// Who traces another one waits until it stops, and that one stands still: neither would get a
+/// turn.
+long refuse_ptrace() {
+  static std::atomic<bool> is_said = false;
+  return refuse(
+      "baraka: ptrace is not available in lock-step; attach debuggers from outside the agent\n",
+      is_said);
 }
 
 }  // namespace
 
 long answer_rare(long number, const Arguments& a) {
   if (number == SYS_io_uring_setup) return refuse_io_uring();
+  if (number == SYS_ptrace) return refuse_ptrace();
   if (number == SYS_futex_waitv) {
     errno = ENOSYS;  // those who ask for it have another way
     return -1;

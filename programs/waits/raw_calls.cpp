@@ -23,6 +23,7 @@
 #include "programs/preload/exported.h"
 #include "programs/preload/intercepted.h"
 #include "programs/waits/handlers.h"
+#include "programs/waits/inheriting_futex.h"
 #include "programs/waits/kernel_call.h"
 #include "programs/waits/parking.h"
 #include "programs/waits/virtual_clock.h"
@@ -65,8 +66,31 @@ long wait_for_futex(const Arguments& a, programs::waits::Nanoseconds deadline) {
   }
 }
 
-/// Others that wait by the kernel's own call are woken, too. Of operations with priority
-/// inheritance the kernel knows alone.
+/// Those with priority inheritance; others are the kernel's.
+long futex_of_owner(const Arguments& a) {
+  constexpr int kLock2 = 13;  // FUTEX_LOCK_PI2, since Linux 5.14: CLOCK_MONOTONIC by default
+  const auto operation = static_cast<int>(a[1]);
+  const bool is_of_real_time = (operation & FUTEX_CLOCK_REALTIME) != 0;
+  const auto deadline = [&](clockid_t clock) {
+    return programs::waits::deadline_at(pointer<const timespec>(a[3]), clock);
+  };
+  switch (operation & FUTEX_CMD_MASK) {
+    case FUTEX_LOCK_PI:
+      return programs::waits::lock_inheriting(a, object_of(a), deadline(CLOCK_REALTIME));
+    case kLock2:
+      return programs::waits::lock_inheriting(
+          a, object_of(a), deadline(is_of_real_time ? CLOCK_REALTIME : CLOCK_MONOTONIC));
+    case FUTEX_TRYLOCK_PI:
+      return programs::waits::try_inheriting(a);
+    case FUTEX_UNLOCK_PI:
+      return programs::waits::unlock_inheriting(a, object_of(a),
+                                                (operation & FUTEX_PRIVATE_FLAG) != 0);
+    default:
+      return pass_on(SYS_futex, a);
+  }
+}
+
+/// Others that wait by the kernel's own call are woken, too.
 long futex(const Arguments& a) {
   const auto operation = static_cast<int>(a[1]);
   const auto* const time = pointer<const timespec>(a[3]);
@@ -91,7 +115,7 @@ long futex(const Arguments& a) {
       programs::waits::wake(object_of(a), ~0U);
       return pass_on(SYS_futex, a);
     default:
-      return pass_on(SYS_futex, a);
+      return futex_of_owner(a);
   }
 }
 

@@ -56,6 +56,13 @@ bool is_stream(int socket) {
          type == SOCK_STREAM;
 }
 
+/// Waits for more of what MSG_WAITALL asks for. Linux gives the part that there is if a time-out or
+/// any handler ends the wait, also one after which other calls go on (SA_RESTART).
+bool goes_on(int socket, programs::waits::Nanoseconds deadline) {
+  pollfd one{socket, POLLIN, 0};
+  return programs::waits::wait_for_descriptors(&one, 1, deadline, nullptr) > 0;
+}
+
 /// @param length  bytes that are asked for; with MSG_WAITALL a stream is to give as many.
 /// @param call  from a byte on, with flags.
 template <class Call>
@@ -73,7 +80,8 @@ ssize_t receive(int socket, int flags, std::size_t length, const Call& call) {
     });
     if (some <= 0) return received > 0 ? static_cast<ssize_t>(received) : some;
     received += static_cast<std::size_t>(some);
-    if (!waits_for_all || received >= length) return static_cast<ssize_t>(received);
+    if (!waits_for_all || received >= length || !goes_on(socket, deadline))
+      return static_cast<ssize_t>(received);
   }
 }
 

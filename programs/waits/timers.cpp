@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 
@@ -37,6 +38,65 @@ WaitSlot* timer_of(int descriptor, int signal) {
     }
   }
   return nullptr;
+}
+
+/// The timers of descriptors that this process has made or has by fork(), which copies this. It
+/// takes a slot for the latter when it asks for them first. Those beyond are of their maker alone.
+struct Known {
+  std::uint64_t timer = 0;  ///< WaitSlot::value; 0: none.
+  int descriptor = -1;
+  clockid_t clock = CLOCK_MONOTONIC;
+};
+std::array<Known, 64> known;
+
+void note(const Known& one) {
+  const auto free = std::ranges::find(known, std::uint64_t{0}, &Known::timer);
+  if (free != known.end()) *free = one;
+}
+
+void forget_timer(int descriptor) {
+  const auto one = std::ranges::find(known, descriptor, &Known::descriptor);
+  if (one != known.end()) *one = {};
+}
+
+/// The slot of this process's timer of a descriptor; null: there is none.
+WaitSlot* timer_of_descriptor(int descriptor) {
+  if (own_slot() == nullptr) return nullptr;
+  if (WaitSlot* const timer = timer_of(descriptor, 0); timer != nullptr) return timer;
+  const auto inherited = std::ranges::find(known, descriptor, &Known::descriptor);
+  if (inherited == known.end()) return nullptr;
+  WaitSlot& timer = programs::waits::new_timer(descriptor, 0);
+  timer.thread = inherited->clock;
+  timer.value = inherited->timer;
+  return &timer;
+}
+
+/// Another slot of a timer of a descriptor, in another process that has it by fork(), too.
+bool is_same_timer(const WaitSlot& one, const WaitSlot& other) {
+  return &one != &other && one.state.load() == SlotState::kTimer && one.descriptor.load() >= 0 &&
+         one.value.load() == other.value.load();
+}
+
+template <class Function>
+void for_each_same(const WaitSlot& timer, const Function& function) {
+  for (std::uint32_t i = 0; i < programs::waits::page()->used.load(); ++i) {
+    WaitSlot& slot = programs::waits::page()->slots[i];
+    if (is_same_timer(slot, timer)) function(slot);
+  }
+}
+
+void set(WaitSlot& timer, Nanoseconds deadline, Nanoseconds interval) {
+  timer.interval = interval;
+  timer.deadline = deadline;
+}
+
+/// Of the one that is set. A timer has a slot in each process, of which at most one is.
+itimerspec setting_of_shared(const WaitSlot& timer) {
+  const WaitSlot* is_set = &timer;
+  for_each_same(timer, [&](const WaitSlot& slot) {
+    if (slot.deadline.load() != kNever) is_set = &slot;
+  });
+  return programs::waits::setting_of(is_set->deadline.load(), is_set->interval.load());
 }
 
 itimerspec setting_of(const WaitSlot* timer) {
@@ -79,8 +139,11 @@ itimerspec setting_of(Nanoseconds next, Nanoseconds interval) {
 }
 
 void close_timer(int descriptor) {
+  forget_timer(descriptor);
   WaitSlot* const timer = own_slot() == nullptr ? nullptr : timer_of(descriptor, 0);
-  if (timer != nullptr) give_back_slot(*timer);
+  if (timer == nullptr) return;
+  netns::hand_over(*timer, page()->slots);
+  give_back_slot(*timer);
 }
 
 }  // namespace programs::waits
@@ -96,13 +159,16 @@ BARAKA_EXPORTED int timerfd_create(clockid_t clock, int flags) noexcept {
   const int descriptor = eventfd(0, of_event);
   if (descriptor < 0) return descriptor;
   programs::waits::close_timer(descriptor);  // by a way that is not known
-  new_timer(descriptor, 0).thread = clock;
+  WaitSlot& timer = new_timer(descriptor, 0);
+  timer.thread = clock;
+  timer.value = programs::waits::page()->tickets.fetch_add(1) + 1;
+  note({timer.value.load(), descriptor, clock});
   return descriptor;
 }
 
 BARAKA_EXPORTED int timerfd_settime(int descriptor, int flags, const itimerspec* setting,
                                     itimerspec* before) noexcept {
-  WaitSlot* const timer = own_slot() == nullptr ? nullptr : timer_of(descriptor, 0);
+  WaitSlot* const timer = timer_of_descriptor(descriptor);
   if (timer == nullptr || setting == nullptr) {
     return BARAKA_NEXT(timerfd_settime)(descriptor, flags, setting, before);
   }
@@ -111,23 +177,25 @@ BARAKA_EXPORTED int timerfd_settime(int descriptor, int flags, const itimerspec*
     errno = EINVAL;
     return -1;
   }
-  if (before != nullptr) *before = setting_of(timer);
+  if (before != nullptr) *before = setting_of_shared(*timer);
   std::uint64_t expirations = 0;
   pollfd one{descriptor, POLLIN, 0};
   const timespec no_time{0, 0};
   if (BARAKA_NEXT(ppoll)(&one, 1, &no_time, nullptr) > 0) {  // those before are forgotten
     (void)!BARAKA_NEXT(read)(descriptor, &expirations, sizeof expirations);
   }
-  timer->interval = programs::waits::nanoseconds(setting->it_interval);
-  timer->deadline = programs::waits::first_expiration(setting->it_value, clock_of(*timer),
-                                                      (flags & TFD_TIMER_ABSTIME) != 0);
+  for_each_same(*timer, [](WaitSlot& slot) { set(slot, kNever, 0); });
+  set(*timer,
+      programs::waits::first_expiration(setting->it_value, clock_of(*timer),
+                                        (flags & TFD_TIMER_ABSTIME) != 0),
+      programs::waits::nanoseconds(setting->it_interval));
   return 0;
 }
 
 BARAKA_EXPORTED int timerfd_gettime(int descriptor, itimerspec* setting) noexcept {
-  const WaitSlot* const timer = own_slot() == nullptr ? nullptr : timer_of(descriptor, 0);
+  const WaitSlot* const timer = timer_of_descriptor(descriptor);
   if (timer == nullptr) return BARAKA_NEXT(timerfd_gettime)(descriptor, setting);
-  *setting = setting_of(timer);
+  *setting = setting_of_shared(*timer);
   return 0;
 }
 

@@ -339,6 +339,11 @@ std::uint64_t object_at(const volatile void* address) {
   return place | static_cast<std::uint64_t>(own_slot()->process.load()) << kBitsOfAddress;
 }
 
+std::int32_t first_waiting(std::uint64_t object) {
+  const WaitSlot* const first = parked_like(object).load() == 0 ? nullptr : first_parked(object);
+  return first == nullptr ? 0 : first->thread.load();
+}
+
 unsigned wake(std::uint64_t object, unsigned most) {
   unsigned woken = 0;
   if (shared == nullptr || parked_like(object).load() == 0) return woken;

@@ -75,6 +75,9 @@ Woken park(std::uint64_t object, Nanoseconds deadline);
 /// @return how many.
 unsigned wake(std::uint64_t object, unsigned most);
 
+/// The thread that wake() would let go on first, by its number; 0: none.
+std::int32_t first_waiting(std::uint64_t object);
+
 /// Around a system call that waits: publishes what this thread is about to do.
 ///
 ///   KernelWait wait(deadline);

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "hal/types/time.h"
+
 namespace sim::air {
 
 inline constexpr int kLeastPrefix = 8, kMostPrefix = 30;
@@ -22,6 +24,8 @@ struct NetworkConfig {
   int prefix = 16;            ///< Length of the network prefix in bits.
   int mtu = 1500;             ///< Largest IP packet in bytes.
   UnknownWaits unknown_waits = UnknownWaits::kFail;
+  /// In lock-step: how long a turn of a thread occupies the agent's processor, from 0 to 1 s.
+  hal::Duration per_wake{0};
   bool operator==(const NetworkConfig&) const = default;
 };
 

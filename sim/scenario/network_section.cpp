@@ -104,6 +104,16 @@ void unknown_waits_key(Fields& io, NetworkConfig& c) {
             kUnknownWaits, c.unknown_waits);
 }
 
+void processor_keys(Fields& io, NetworkConfig& c) {
+  constexpr Range kPerWake{0, 1};  // s
+  io.duration({"per_wake",
+               "In lock-step: simulated time that the agent's processor takes whenever a thread of "
+               "its programs begins, or goes on after a wait, before the thread does anything. "
+               "There is one processor: threads that are woken together go on one after the other.",
+               "20 us"},
+              kPerWake, c.per_wake);
+}
+
 bool reaches(const NetworkConfig& from, const NetworkConfig& to) {
   return network_of(from) == (to.address & ~host_bits(from.prefix));
 }
@@ -155,6 +165,8 @@ void network_keys(Fields& io, std::span<AgentConfig> agents) {
   if (!agents.empty()) first = agents.front().network.value_or(first);
   interface_keys(io, first);
   unknown_waits_key(io, first);
+  io.inside({"cpu", "What the agent's programs take of its processor in lock-step."},
+            [&](Fields& processor) { processor_keys(processor, first); });
   if (io.reading() == nullptr) return;
   check_names(io, agents);
   NetworkConfig last = first;

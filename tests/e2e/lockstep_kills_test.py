@@ -23,6 +23,8 @@ TARGETS = {"program": ("SIGKILL", "SIGKILL", "SIGTERM", "SIGSEGV"), "holder": ("
            "run": ("SIGKILL", "SIGTERM", "SIGINT")}
 WEIGHTS = (3, 1, 1, 2)
 STATUSES = {"program": (130,), "holder": (1,), "agent": (1, 130)}
+# A shell in which nobody types lets what it starts with `&` ignore it, and so would a run that has not begun yet.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def name_of(pid):

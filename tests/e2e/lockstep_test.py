@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """Unmodified programs in lock-step: exact to the nanosecond, equal in equal runs, and refused if they cannot be held."""
+import bisect
+import contextlib
 import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import textwrap
@@ -39,16 +42,16 @@ for i in range(1000):
 """
 
 
-# A thread waits for a lock that the kernel hands over with the priority of its owner, and gets it after 0.5 s: FUTEX_LOCK_PI and
-# FUTEX_UNLOCK_PI of futex(2), which nobody replaces.
+# A thread waits to be moved to a lock that the kernel hands over with the priority of its owner, and gets it after 0.5 s:
+# FUTEX_WAIT_REQUEUE_PI and FUTEX_CMP_REQUEUE_PI of futex(2), which nobody replaces.
 UNKNOWN_WAIT = """
 import ctypes, threading, time
-futex = lambda operation: ctypes.CDLL(None).syscall(202, ctypes.byref(word), operation, 0, None)
-word = ctypes.c_int(threading.get_native_id())
-other = threading.Thread(target=futex, args=(6,))
+futex = ctypes.CDLL(None).syscall
+word, lock = ctypes.c_int(0), ctypes.c_int(0)
+other = threading.Thread(target=lambda: futex(202, ctypes.byref(word), 11, 0, None, ctypes.byref(lock), 0))
 other.start()
 time.sleep(0.5)
-futex(7)
+futex(202, ctypes.byref(word), 12, 1, 0, ctypes.byref(lock), 0)
 other.join()
 print("got it", time.clock_gettime(time.CLOCK_BOOTTIME))
 """
@@ -152,21 +155,43 @@ class Waits(Held):
 
 @unittest.skipIf(REFUSED, REFUSED)
 class Exact(Held):
-    def echo(self, program=(PYTHON, "-c", ECHO), *more):
+    def echo(self, program=(PYTHON, "-c", ECHO), *more, network="{}"):
         file = scenario(self.folder, {"a": [("ping", [*program, "10.77.0.2", *more], ", on_exit: end")],
-                                      "b": [("pong", program, "")]})
+                                      "b": [("pong", program, "")]}, network=network)
         finished = self.run_held(file)
         return finished, [int(line) for line in self.log("a", "ping").split()]
 
-    def expected(self):
-        """From the run's own tables: from when a request came to the interface until its answer was received, ns."""
-        sent = [at for at, packet in self.query("SELECT at_ns, bytes FROM arrivals WHERE door = 'air of a' ORDER BY rowid")
-                if packet[24:28] == "0800" and packet[46:48] == "11"]
-        received = [at for at, in self.query(
+    def sent(self, agent, protocol):
+        """When IPv4 packets of a protocol ("11": UDP, "01": ICMP) came to the agent's interface, and their hexadecimal bytes."""
+        return [(at, packet) for at, packet in self.query(
+            f"SELECT at_ns, bytes FROM arrivals WHERE door = 'air of {agent}' ORDER BY rowid")
+            if packet[24:28] == "0800" and packet[46:48] == protocol]
+
+    def received(self, more="f.bits > 0"):
+        """When the first agent received data frames of the second."""
+        return [at for at, in self.query(
             "SELECT e.at_ns FROM frame_ends e JOIN frames f USING (frame) WHERE e.agent = 1 AND f.transmitter = 2 AND "
-            "f.class = 'unicast' AND f.bits > 0 AND f.receiver = 1 AND e.verdict = 'delivered' AND f.rate_bps = 54000000 "
-            "ORDER BY e.at_ns")]
-        return [min(at for at in received if at > begin) - begin for begin in sent]
+            "f.class = 'unicast' AND f.receiver = 1 AND e.verdict = 'delivered' AND f.rate_bps = 54000000 AND "
+            f"f.protocol IS NOT 'ARP' AND {more} ORDER BY e.at_ns")]
+
+    def round_trips(self, begins, ends):
+        """From when a request came to the interface until its answer was received, ns: the first that came then."""
+        found = [ends[bisect.bisect_right(ends, begin)] for begin in begins]
+        self.assertEqual(len(set(found)), len(begins), "each has an answer of its own")
+        return list(zip(begins, found))
+
+    def expected(self):
+        return [end - begin for begin, end in self.round_trips([at for at, _ in self.sent("a", "11")], self.received())]
+
+    @contextlib.contextmanager
+    def busy(self, count):
+        loops = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(count)]
+        try:
+            yield
+        finally:
+            for loop in loops:
+                loop.kill()
+                loop.wait()
 
     def test_round_trips_of_udp_are_those_of_the_frame_table(self):
         finished, took = self.echo()
@@ -183,32 +208,99 @@ class Exact(Held):
         self.assertEqual(took[1:], self.expected()[1:])
         self.assertEqual(finished["frames_dropped"], "0")
 
+    def test_waking_up_takes_as_long_as_the_scenario_says(self):
+        """The program in b reads a request, and that in a its answer, 20 us after it came in."""
+        wake = 20_000
+        finished, took = self.echo((ECHO_IN_C,), 100, network="{cpu: {per_wake: 20 us}}")
+        self.assertEqual(len(took), 100)
+        self.assertEqual(took[1:], [at + wake for at in self.expected()[1:]])
+        asked = [at for at, in self.query("SELECT e.at_ns FROM frame_ends e JOIN frames f USING (frame) WHERE e.agent = 2 AND "
+                                          "f.class = 'unicast' AND f.bits > 0 AND f.receiver = 2 AND e.verdict = 'delivered' AND "
+                                          "f.protocol LIKE '%UDP%' ORDER BY e.at_ns")]
+        answered = [at for at, _ in self.sent("b", "11")]
+        self.assertEqual(answered, [at + wake for at in asked])
+        again = self.echo((ECHO_IN_C,), 100, network="{cpu: {per_wake: 20 us}}")
+        self.assertEqual((again[0]["frames_digest"], again[0]["fingerprint"]), (finished["frames_digest"], finished["fingerprint"]))
+
+    def test_threads_that_are_woken_together_take_the_processor_one_after_the_other(self):
+        code = ("import threading, time\nat = []\n"
+                "def sleep():\n    time.sleep(until - time.monotonic())\n    at.append(time.monotonic_ns() - base)\n"
+                "base = time.monotonic_ns()\nuntil = time.monotonic() + 1\n"
+                "threads = [threading.Thread(target=sleep) for _ in range(3)]\n"
+                "[one.start() for one in threads]; time.sleep(3); print(*at)")
+        file = scenario(self.folder, {"a": [("sleep", [PYTHON, "-c", code], ", on_exit: end")]}, network="{cpu: {per_wake: 1 ms}}")
+        self.run_held(file)
+        first, *others = map(int, self.log("a", "sleep").split())
+        self.assertGreaterEqual(first, 1_001_000_000 - 1000)
+        self.assertEqual([at - first for at in others], [1_000_000, 2_000_000])
+
     def test_they_are_the_same_beside_busy_loops_and_when_repeated(self):
         alone = self.echo()
         first = self.out
-        loops = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(4)]
-        try:
+        with self.busy(4):
             loaded = self.echo()
-        finally:
-            for loop in loops:
-                loop.kill()
-                loop.wait()
         self.assertEqual(alone[1], loaded[1])
         self.assertEqual(alone[0]["fingerprint"], loaded[0]["fingerprint"])
         again = self.run_baraka(self.folder / "held.yaml", "--repeat", first, "--no-inspect")
         self.assertEqual(again["fingerprint"], alone[0]["fingerprint"])
         self.assertEqual(again["simulated_s"], alone[0]["simulated_s"])
 
+    def ping(self, count):
+        """ping subtracts times in whole microseconds, and prints them in milliseconds."""
+        file = scenario(self.folder, {"a": [("ping", ["ping", "-i", 0.1, "-c", count, "10.77.0.2"], ", on_exit: end")], "b": []})
+        self.run_held(file, "--set", "end.0.at=200 s")
+        printed = re.findall(r"icmp_seq=\d+ ttl=64 time=([\d.]+) ms", self.log("a", "ping"))
+        self.assertEqual(len(printed), count)
+        trips = self.round_trips([at for at, _ in self.sent("a", "01")], self.received())
+        expected = [1e-3 * (end // 1000 - begin // 1000) for begin, end in trips]
+        self.assertEqual(printed[1:], [f"{one:.3f}" for one in expected][1:])  # the first waits for the address
+        self.assertGreater(len(set(printed)), 5, "backoffs are drawn")
+
+    def test_so_are_those_of_ping(self):
+        self.ping(1000)
+
+    def pings_of_dds(self):
+        """Half of each round trip as ddsperf counts it, ns: from the time that the answer repeats, which has been a fraction of 2^-32 s
+        (INFO_TS), until it was received. 64 bytes and their heartbeat are 198 bytes of Ethernet, 220 on the air."""
+        def begin(packet):
+            message = bytes.fromhex(packet[84:])  # behind Ethernet, IPv4 and UDP
+            is_sample = message[:4] == b"RTPS" and message[20:22] == b"\x09\x01" and message[32:34] == b"\x15\x05"
+            if len(packet) != 2 * 198 or not is_sample:
+                return None
+            seconds, fraction = struct.unpack_from("<II", message, 24)
+            return (seconds - 1767225600) * 10 ** 9 + (fraction * 10 ** 9 >> 32)
+        begins = [begin(packet) for _, packet in self.sent("pinger", "11")]
+        trips = self.round_trips([one for one in begins if one is not None], self.received(f"f.bits = {8 * 220}"))
+        return [(end - begin) // 2 for begin, end in trips]
+
+    def ddsperf(self, seconds):
+        text = (ROOT / "config/scenarios/dds_two_stations.yaml").read_text(encoding="utf-8")
+        file = self.folder / "dds.yaml"
+        file.write_text(text.replace("../radios", f"{ROOT}/config/radios").replace("-D, 20", f"-D, {seconds}").replace(
+            "-D, 60", f"-D, {2 * seconds}"), encoding="utf-8")
+        self.run_held(file, "--set", "record.frames=all", "--set", f"end.0.at={2 * seconds} s")
+        halves = self.pings_of_dds()
+        printed = re.findall(r"size 64 mean ([\d.]+)us min ([\d.]+)us 50% ([\d.]+)us 90% ([\d.]+)us 99% ([\d.]+)us max ([\d.]+)us "
+                             r"cnt (\d+)", self.log("pinger", "ping"))
+        counts = [int(line[-1]) for line in printed]
+        self.assertGreaterEqual(sum(counts), 10 * seconds - 20)
+        self.assertLessEqual(len(halves) - sum(counts), 1)
+        for line, count in zip(printed, counts):
+            some, halves = sorted(halves[:count]), halves[count:]
+            self.assertEqual(list(line[1:6]), [f"{1e-3 * one:.3f}" for one in (
+                some[0], *(some[count - (count * (100 - percent) + 99) // 100 if percent != 50 else count - (count + 1) // 2]
+                           for percent in (50, 90, 99)), some[-1])])
+            self.assertAlmostEqual(float(line[0]), 1e-3 * sum(some) / count, delta=0.00051)
+
     @unittest.skipUnless(shutil.which("ddsperf"), "needs ddsperf")
-    def test_ddsperf_sees_no_time_of_this_computer(self):
-        """It prints half of each round trip, to the nanosecond: all of them differ by whole slots of 20 us, of which each of
-        the two frames draws some."""
-        self.run_held(ROOT / "config/scenarios/dds_two_stations.yaml", "--set", "record.frames=all")
-        printed = re.findall(r"min ([\d.]+)us", self.log("pinger", "ping"))
-        self.assertGreater(len(printed), 10)
-        shortest = min(map(float, printed))
-        for one in map(float, printed):
-            self.assertAlmostEqual((one - shortest) / 10 % 1, 0, places=6)
+    def test_so_are_those_of_ddsperf(self):
+        self.ddsperf(102)
+
+    def test_so_are_those_of_others_beside_busy_loops(self):
+        with self.busy(4):
+            self.ping(100)
+            if shutil.which("ddsperf"):
+                self.ddsperf(20)
 
 
 @unittest.skipIf(REFUSED, REFUSED)
@@ -356,7 +448,7 @@ class Refused(Held):
         finished = self.unknown_wait("{unknown_waits: allow}")
         self.assertIn("got it", self.log("a", "lock"))
         self.assertEqual(finished["program_unknown_waits"], "1")
-        self.assertIn("1 waits of programs were in calls that lock-step does not know", finished.err)
+        self.assertIn("1 waits of programs were in system calls that lock-step does not support", finished.err)
         self.assertEqual(self.query("SELECT value FROM run WHERE key = 'program_unknown_waits'"), [(1,)])
 
     def test_what_cannot_be_held_is_refused_to_the_program_and_said_once(self):
@@ -368,12 +460,16 @@ def call(name, *arguments):
 for i in range(2):
     call("syscall", 425, 8, 0)  # io_uring_setup
 call("syscall", 449, 0, 0, 0, None, 0)  # futex_waitv
+for i in range(2):
+    call("ptrace", 0, 0, 0, 0)  # PTRACE_TRACEME
 queue = c.mq_open(b"/queue", os.O_RDWR | os.O_CREAT, 0o600, None)
 call("mq_notify", queue, struct.pack("<qii48x", 0, 0, 2))  # SIGEV_THREAD
 """
         self.run_held(scenario(self.folder, {"a": [("ring", [PYTHON, "-c", code], ", on_exit: end")]}))
         self.assertEqual(self.log("a", "ring"), "baraka: io_uring is not available in lock-step\n" +
                          3 * "syscall -1 Function not implemented\n" +
+                         "baraka: ptrace is not available in lock-step; attach debuggers from outside the agent\n" +
+                         2 * "ptrace -1 Function not implemented\n" +
                          "baraka: mq_notify() with SIGEV_THREAD is not available in lock-step\n" +
                          "mq_notify -1 Function not implemented\n")
 

@@ -14,6 +14,7 @@
 #include "baraka/run/pace/interrupts.h"
 #include "gateway/process/waiting.h"
 #include "hal/types/log.h"
+#include "programs/lockstep/kernel_needs.h"
 #include "sim/scenario/plan.h"
 
 namespace baraka::run::network {
@@ -85,7 +86,10 @@ NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario,
   }
   programs::netns::Settings settings = settings_of(scenario, time, results_());
   settings.shown = {std::filesystem::absolute(file).parent_path()};
-  if (time.is_held) use_of_processor_.emplace(processor_.emplace());
+  if (time.is_held) {
+    programs::lockstep::require_kernel();
+    use_of_processor_.emplace(processor_.emplace());
+  }
   namespaces_.emplace(settings);
   use_of_processor_.reset();
   if (time.is_held) hold_programs();
@@ -133,6 +137,7 @@ LockstepBridge::Station NetworkOfRun::station(std::size_t i) {
               .agent = name,
               .processes = namespaces_->processes(i),
               .allow_unknown = agent->network->unknown_waits == sim::air::UnknownWaits::kAllow,
+              .per_wake = agent->network->per_wake.count(),
               .may_go_on = [this] { return !is_broken_off_() && (!may_go_on_ || may_go_on_()); },
               .warn = [](const std::string& what) { hal::log::warning({}, "run", "{}", what); }}};
 }

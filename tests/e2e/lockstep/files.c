@@ -5,6 +5,7 @@
 #include <arpa/inet.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/aio_abi.h>
 #include <netdb.h>
 #include <nss.h>
 #include <poll.h>
@@ -14,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/fanotify.h>
 #include <sys/file.h>
 #include <sys/inotify.h>
 #include <sys/sendfile.h>
@@ -122,6 +124,26 @@ static void watch_while(void (*wait)(void)) {
   unlink("/tmp/waits.watched");
 }
 static void by_inotify(void) { watch_while(read_watch); }
+/// Where the kernel has it for ordinary users (Linux 5.13) and such files.
+static void by_fanotify(void) {
+  const int notify = fanotify_init(FAN_CLASS_NOTIF | FAN_REPORT_FID, O_RDONLY);
+  const int file = open("/tmp/waits.fanotified", O_RDWR | O_CREAT | O_TRUNC, 0600);
+  if (fanotify_mark(notify, FAN_MARK_ADD, FAN_MODIFY, AT_FDCWD, "/tmp/waits.fanotified") != 0) {
+    rest();
+    return;
+  }
+  const pid_t child = fork();
+  if (child == 0) {
+    rest();
+    (void)!write(file, "x", 1);
+    _exit(0);
+  }
+  struct fanotify_event_metadata events[16];
+  check(read(notify, events, sizeof events) > 0 && (events->mask & FAN_MODIFY) != 0, "fanotify");
+  waitpid(child, NULL, 0);
+  close(notify);
+  close(file);
+}
 static void by_poll_of_inotify(void) { watch_while(poll_watch); }
 static pid_t sleeping_child(void) {
   const pid_t child = fork();
@@ -253,6 +275,45 @@ static void send_file_by_stream(void) { send_file_to(stream[1]); }
 static void by_sendfile_to_socket(void) { with_stream(receive_slowly, send_file_by_stream); }
 static void by_sendmsg(void) { with_stream(receive_slowly, send_much); }
 static void by_recv_of_all(void) { with_stream(send_slowly, receive_much); }
+/// With a part of what is asked for, a time-out or a handler, also one with SA_RESTART, ends it.
+static pthread_t receiver;
+static void* send_a_part(void* unused) {
+  (void)unused;
+  rest();
+  check(send(stream[1], bytes, 1000, 0) == 1000, "send");
+  rest();
+  pthread_kill(receiver, SIGUSR1);
+  return NULL;
+}
+static void receive_a_part(void) {
+  check(recv(stream[0], bytes, sizeof bytes, MSG_WAITALL) == 1000, "recv of all, but a part");
+}
+static void nothing(int signal) { (void)signal; }
+static void by_recv_of_part(void) {
+  receiver = pthread_self();
+  const struct sigaction action = {.sa_handler = nothing, .sa_flags = SA_RESTART};
+  struct sigaction before;
+  sigset_t open, closed;
+  sigemptyset(&open);
+  sigaddset(&open, SIGUSR1);
+  sigaction(SIGUSR1, &action, &before);
+  pthread_sigmask(SIG_UNBLOCK, &open, &closed);
+  with_stream(send_a_part, receive_a_part);
+  pthread_sigmask(SIG_SETMASK, &closed, NULL);
+  sigaction(SIGUSR1, &before, NULL);
+}
+static void receive_for_a_while(void) {
+  const struct timeval most = {0, 3000};
+  setsockopt(stream[0], SOL_SOCKET, SO_RCVTIMEO, &most, sizeof most);
+  check(recv(stream[0], bytes, sizeof bytes, MSG_WAITALL) == 100000, "recv of all, until a time-out");
+}
+static void* send_one_part(void* unused) {
+  (void)unused;
+  rest();
+  check(send(stream[1], bytes, 100000, 0) == 100000, "send");
+  return NULL;
+}
+static void by_recv_with_time_out(void) { with_stream(send_one_part, receive_for_a_while); }
 static void* open_later(void* unused) {
   (void)unused;
   rest();
@@ -345,6 +406,22 @@ static void hear_of_list(void) {
 }
 static void by_thread_of_list(void) { with_pipes(write_later, hear_of_list); }
 
+// ---- the kernel's own
+static aio_context_t context;
+static void poll_by_kernel(void) {
+  struct iocb wanted = {.aio_lio_opcode = IOCB_CMD_POLL, .aio_fildes = (uint32_t)from[0], .aio_buf = POLLIN, .aio_data = 7};
+  struct iocb* all[1] = {&wanted};
+  struct io_event event;
+  check(syscall(SYS_io_submit, context, 1, all) == 1, "io_submit");
+  check(syscall(SYS_io_getevents, context, 1, 1, &event, &(struct timespec){0, 1000}) == 0, "io_getevents until");
+  check(syscall(SYS_io_getevents, context, 1, 1, &event, NULL) == 1 && event.data == 7, "io_getevents");
+}
+static void by_io_getevents(void) {
+  check(syscall(SYS_io_setup, 8, &context) == 0, "io_setup");
+  with_pipes(write_later, poll_by_kernel);
+  syscall(SYS_io_destroy, context);
+}
+
 // ---- the resolver
 /// Nobody answers at this port.
 static void by_getaddrinfo(void) {
@@ -375,6 +452,7 @@ const struct Kind file_kinds[] = {
     {"F_OFD_SETLKW", by_ofd_setlkw, 1234567},
     {"flock in turn", by_three_locks, 9 * 1234567},
     {"inotify", by_inotify, 1234567},
+    {"fanotify", by_fanotify, 1234567},
     {"inotify, poll", by_poll_of_inotify, 1234567},
     {"pidfd, poll", by_pidfd, 1234567},
     {"pidfd, waitid", by_waitid_of_pidfd, 1234567},
@@ -387,11 +465,14 @@ const struct Kind file_kinds[] = {
     {"sendfile to a socket", by_sendfile_to_socket, 1234567},
     {"sendmsg of much", by_sendmsg, 1234567},
     {"recv, MSG_WAITALL", by_recv_of_all, 4 * 1234567},
+    {"recv, MSG_WAITALL, signal", by_recv_of_part, 2 * 1234567},
+    {"recv, MSG_WAITALL, SO_RCVTIMEO", by_recv_with_time_out, 3000000},
     {"open of a named pipe", by_named_pipe, 1234567},
     {"aio_suspend", by_aio_suspend, 1234567},
     {"lio_listio", by_lio_listio, 1234567},
     {"aio, signal", by_signal_of_aio, 1234567},
     {"lio_listio, LIO_NOWAIT", by_thread_of_list, 1234567},
+    {"io_getevents", by_io_getevents, 1234567},
     {"getaddrinfo", by_getaddrinfo, 1000000000},
 };
 const size_t file_kinds_count = sizeof file_kinds / sizeof *file_kinds;

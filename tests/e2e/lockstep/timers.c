@@ -192,6 +192,41 @@ static void by_closed_timerfd(void) {
   close(other);
 }
 /// Of periods that have passed, all are counted, and the next one is in phase.
+/// A child sets the timer of its parent, also if it ends before; both see what is left.
+static void by_inherited_timerfd(void) {
+  const int timer = timerfd_create(CLOCK_MONOTONIC, 0);
+  const struct timespec half = {0, 617283};
+  const pid_t child = fork();
+  if (child == 0) {
+    const struct itimerspec twice = {{0, 0}, {0, 2 * 1234567}};
+    check(timerfd_settime(timer, 0, &twice, NULL) == 0, "timerfd_settime in a child");
+    nanosleep(&half, NULL);
+    _exit(0);
+  }
+  waitpid(child, NULL, 0);
+  struct itimerspec left;
+  timerfd_gettime(timer, &left);
+  check(left.it_value.tv_nsec == 2 * 1234567 - 617283, "what is left of a child's timer");
+  uint64_t times = 0;
+  check(read(timer, &times, sizeof times) == sizeof times && times == 1, "expirations");
+  close(timer);
+}
+static void by_timerfd_of_a_parent(void) {
+  const int timer = timerfd_create(CLOCK_MONOTONIC, 0);
+  timerfd_settime(timer, 0, &kOnce, NULL);
+  const pid_t child = fork();
+  if (child == 0) {
+    uint64_t times = 0;
+    struct itimerspec left;
+    timerfd_gettime(timer, &left);
+    check(left.it_value.tv_nsec == 1234567, "what is left of a parent's timer");
+    check(read(timer, &times, sizeof times) == sizeof times && times == 1, "expirations");
+    _exit(0);
+  }
+  nanosleep(&(struct timespec){0, 1000}, NULL);
+  close(timer);
+  waitpid(child, NULL, 0);
+}
 static void by_timerfd_of_the_past(void) {
   const int timer = timerfd_create(CLOCK_MONOTONIC, 0);
   const struct itimerspec past = {{0, 1000000}, after(CLOCK_MONOTONIC, -2300000)};
@@ -334,6 +369,8 @@ const struct Kind timer_kinds[] = {
     {"timer_create, SIGEV_THREAD_ID", by_timer_of_thread, 0},
     {"timer_create by syscall()", by_timer_by_syscall, 1234567},
     {"timerfd, closed", by_closed_timerfd, 5000000},
+    {"timerfd, set by a child", by_inherited_timerfd, 2 * 1234567},
+    {"timerfd, closed by the parent", by_timerfd_of_a_parent, 1234567},
     {"timerfd, of the past", by_timerfd_of_the_past, 700000},
     {"vdso", by_vdso, 1234567},
     {"signalfd", by_signalfd, 1234567},

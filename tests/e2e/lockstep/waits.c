@@ -299,6 +299,29 @@ static void* wake_word(void* unused) {
 static void wait_for_word(void) {
   syscall(SYS_futex, &word, FUTEX_WAIT | FUTEX_PRIVATE_FLAG, atomic_load(&word), NULL, NULL, 0);
 }
+/// The lock of a futex with priority inheritance is handed over.
+static _Atomic uint32_t owner;
+static long ask_owner(int operation, const struct timespec* until) {
+  return syscall(SYS_futex, &owner, operation | FUTEX_PRIVATE_FLAG, 0, until, NULL, 0);
+}
+static void* own_for_a_while(void* unused) {
+  (void)unused;
+  check(ask_owner(FUTEX_LOCK_PI, NULL) == 0, "FUTEX_LOCK_PI");
+  check(ask_owner(FUTEX_LOCK_PI, NULL) < 0 && errno == EDEADLK, "FUTEX_LOCK_PI twice");
+  nanosleep(&kLength, NULL);
+  check(ask_owner(FUTEX_UNLOCK_PI, NULL) == 0, "FUTEX_UNLOCK_PI");
+  check(ask_owner(FUTEX_TRYLOCK_PI, NULL) < 0 && errno == EWOULDBLOCK, "who has waited has it");
+  return NULL;
+}
+static void own_afterwards(void) {
+  nanosleep(&(struct timespec){0, 1000}, NULL);
+  check(ask_owner(FUTEX_UNLOCK_PI, NULL) < 0 && errno == EPERM, "FUTEX_UNLOCK_PI of another's");
+  const struct timespec until = after(CLOCK_REALTIME, 1000);
+  check(ask_owner(FUTEX_LOCK_PI, &until) < 0 && errno == ETIMEDOUT, "FUTEX_LOCK_PI until");
+  check(ask_owner(FUTEX_LOCK_PI, NULL) == 0, "FUTEX_LOCK_PI of another's");
+  check(ask_owner(FUTEX_UNLOCK_PI, NULL) == 0 && owner == 0, "FUTEX_UNLOCK_PI without others");
+}
+static void by_futex_of_owner(void) { with(own_for_a_while, NULL, own_afterwards); }
 static void by_futex(void) { with(wake_word, NULL, wait_for_word); }
 
 // ---- processes
@@ -433,6 +456,7 @@ static const struct Kind kinds[] = {
     {"cnd_timedwait", by_cnd_timedwait, 1234567},
     {"futex until", by_futex_timeout, 1234567},
     {"futex", by_futex, 1234567},
+    {"futex, FUTEX_LOCK_PI", by_futex_of_owner, 1234567},
     {"waitpid", by_waitpid, 1234567},
     {"waitid", by_waitid, 1234567},
     {"system", by_system, 250000000},

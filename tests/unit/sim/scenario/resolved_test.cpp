@@ -138,7 +138,7 @@ agents:
         mounts: [{position: [0.1 m, 0.1 m]}, {distance: 0.1 m, bearing: 90 deg, curve: gp2d120}]
     poses: [{x: 1 m, y: 2 m, yaw: -30 deg}]
     controller: {program: help_robot, inside: true}
-    network: {address: 192.168.7.9/24, mtu: 1400, unknown_waits: allow}
+    network: {address: 192.168.7.9/24, mtu: 1400, unknown_waits: allow, cpu: {per_wake: 20 us}}
   desk:
     address: 517
     station: {}
@@ -207,7 +207,8 @@ TEST_F(Resolved, KeepsNetworksAndPrograms) {
     return std::ranges::find(scenario.simulation.agents, hal::AgentId{id}, &agents::AgentConfig::id)
         ->network;
   };
-  EXPECT_EQ(network(7), (air::NetworkConfig{0xc0a80709, 24, 1400, air::UnknownWaits::kAllow}));
+  EXPECT_EQ(network(7),
+            (air::NetworkConfig{0xc0a80709, 24, 1400, air::UnknownWaits::kAllow, 20us}));
   EXPECT_EQ(network(517), (air::NetworkConfig{0x0a4d0205, 16, 1500}));
   EXPECT_EQ(network(518), (air::NetworkConfig{0x0a4d0206, 16, 1500}));
   EXPECT_EQ(network(300), std::nullopt);
