@@ -4,7 +4,8 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
+#include <utility>
 
 #include "gateway/process/find_program.h"
 #include "gateway/runtime/plugin.h"
@@ -20,7 +21,9 @@ namespace fs = std::filesystem;
 /// it.
 void add_file(sim::Hash& hash, const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream read;
+  read << in.rdbuf();  // in blocks: programs are large
+  const std::string content = std::move(read).str();
   hash.add_bytes(content.data(), content.size());
 }
 

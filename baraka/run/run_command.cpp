@@ -204,7 +204,8 @@ int run(const RunOptions& options, const Scenario& scenario, const TimeAdvance& 
                                              .domain = domain,
                                              .logs = results.folder().path(),
                                              .inside = pointer_to(inside),
-                                             .replies = time_advance.replies()});
+                                             .replies = time_advance.replies(),
+                                             .repeats_lockstep = time_advance.repeats_lockstep()});
   inspection.start(first_of(controllers.domain(), domain), simulation);
   std::unique_ptr<live::LiveView> view;
   if (options.view.shown) {

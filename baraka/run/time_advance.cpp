@@ -22,26 +22,13 @@ namespace {
 
 constexpr double kLeastFactorOfPrograms = 0.01;
 
-void require_no_controllers_inside(const sim::scenario::Scenario& scenario) {
-  const sim::scenario::Group* const inside = check::first_with_controllers_inside(scenario);
-  if (inside == nullptr) return;
-  throw gateway::process::UsageError(
-      fmt::format("--pace: lockstep: the controllers of {} run inside their agents, which "
-                  "lock-step cannot hold "
-                  "yet; take realtime",
-                  inside->name));
-}
-
 /// Programs that follow the wall clock cannot run faster than it.
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
-  std::string pace = options.pace.empty() ? check::default_pace(scenario) : options.pace;
+  const std::string pace = options.pace.empty() ? check::kDefaultPace : options.pace;
   if (!network::has_network(scenario)) return pace;
   const std::optional<double> factor = check::real_time_factor(pace);
-  if (!factor) {
-    require_no_controllers_inside(scenario);
-    return pace;
-  }
+  if (!factor) return pace;
   if (std::isfinite(options.max_speed)) {
     throw gateway::process::UsageError(
         "--max-speed: runs with networks keep real time; --pace realtime:F slows the run and its "
@@ -131,8 +118,8 @@ std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
 std::vector<sim::OutsideArrival> take_of_programs(std::vector<sim::OutsideArrival>& arrivals) {
   std::vector<sim::OutsideArrival> of_programs, others;
   for (sim::OutsideArrival& one : arrivals) {
-    const bool is_of_programs =
-        one.door == network::kProgramsDoor || sim::agents::is_air_door(one.door);
+    const bool is_of_programs = one.door == network::kProgramsDoor ||
+                                sim::agents::is_air_door(one.door) || controllers::is_reply(one);
     (is_of_programs ? of_programs : others).push_back(std::move(one));
   }
   arrivals = std::move(others);
@@ -148,7 +135,11 @@ TimeAdvance::TimeAdvance(const RunOptions& options, const sim::scenario::Scenari
   if (options.repeat.empty()) return;
   open_loop_ = open_loop_of(options.repeat, scenario);
   record_ = results::record::read_replay_log(options.repeat);
-  replies_ = controllers::take_replies(record_->arrivals);
+  if (record_->in_real_time) {
+    replies_ = controllers::take_replies(record_->arrivals);
+  } else {
+    std::ranges::copy_if(record_->arrivals, std::back_inserter(replies_), controllers::is_reply);
+  }
   until_ = std::min(until_.value_or(record_->ended_at), record_->ended_at);
 }
 

@@ -35,6 +35,8 @@ class TimeAdvance {
   const std::vector<sim::OutsideArrival>* replies() const {
     return is_repeated() ? &replies_ : nullptr;
   }
+  /// In a repetition: whether the recorded run was in lock-step.
+  bool repeats_lockstep() const { return is_repeated() && !record_->in_real_time; }
   /// In a repetition: settings that differ from the recorded run, "radio.data_rate: 11 Mb/s instead
   /// of 2 Mb/s".
   const std::vector<std::string>& open_loop() const { return open_loop_; }
@@ -44,7 +46,7 @@ class TimeAdvance {
   std::vector<std::string> open_loop_;
   std::optional<hal::Time> until_;
   std::optional<double> factor_;                      ///< Real time only: simulated s per s.
-  std::optional<results::record::ReplayLog> record_;  ///< The record, without replies_.
+  std::optional<results::record::ReplayLog> record_;  ///< In real time without replies_.
   std::vector<sim::OutsideArrival> replies_;          ///< See replies().
 };
 

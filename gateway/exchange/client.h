@@ -26,15 +26,18 @@ struct Interrupted {};
 using Arrival = std::variant<hal::node::exchange::Session, hal::node::exchange::Step, ServerGone,
                              Silence, Woken, Interrupted>;
 
-/// The DDS end of a controller process: sends Hello to every server of a domain, receives Sessions
-/// and Steps, sends Replies. ControllerProcess interprets them. One thread at a time, except for
-/// interrupt() and for calls by an Answerer.
+class ClientEnd;
+
+/// The controller process's end of the exchange: sends Hello to every server of a DDS domain,
+/// receives Sessions and Steps, sends Replies. ControllerProcess interprets them. A process that
+/// the run holds in lock-step exchanges over a HeldChannel in place of DDS. One thread at a time,
+/// except for interrupt() and for calls by an Answerer.
 class Client {
  public:
   /// Completes `hello` with the identity of this process and an instance id, and sends it. If the
   /// process was started with an Invitation, it is sent over the sockets of that, to the process
   /// that made it.
-  /// @throws std::runtime_error  if DDS cannot be opened.
+  /// @throws std::runtime_error  if DDS, or the channel, cannot be opened.
   Client(int domain, hal::node::exchange::Hello hello);
   ~Client();
   Client(const Client&) = delete;
@@ -75,8 +78,7 @@ class Client {
   void interrupt() noexcept;
 
  private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<ClientEnd> end_;
 };
 
 }  // namespace gateway::exchange

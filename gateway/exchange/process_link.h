@@ -1,21 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "hal/node/exchange/ports.h"
+#include "gateway/exchange/controller_link.h"
 
 namespace gateway::exchange {
-
-/// Replies that a link has dropped.
-struct DroppedReplies {
-  std::uint64_t stale = 0;      ///< Old or unknown sequence number, another run or process.
-  std::uint64_t malformed = 0;  ///< See convert.h; the first is logged.
-  std::uint64_t foreign = 0;    ///< From a participant that was not granted the agents.
-  std::string first_foreign;    ///< The first such participant.
-};
 
 /// The server's end of the exchange with one controller process: topics baraka/<process>/step and
 /// baraka/<process>/reply. Made by Server::link, which must outlive it. One thread at a time.
@@ -24,7 +15,7 @@ struct DroppedReplies {
 ///                 │ ▲
 ///                 └─┘ no reply for kResendAfter: the same Step is written again; the process
 ///                     answers a Step it has seen from its memory
-class ProcessLink : public hal::node::exchange::ControllerPort {
+class ProcessLink final : public ControllerLink {
  public:
   ~ProcessLink() override;
 
@@ -37,9 +28,8 @@ class ProcessLink : public hal::node::exchange::ControllerPort {
   std::vector<int> descriptors() const override;
   hal::Result<void> check_alive() override;
 
-  const DroppedReplies& dropped() const;
-  /// Wakes up poll() when the process dies; -1 if it runs on another host.
-  int death_descriptor() const;
+  const DroppedReplies& dropped() const override;
+  int death_descriptor() const override;
 
  private:
   friend class Server;

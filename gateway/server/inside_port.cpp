@@ -27,7 +27,17 @@ hal::Result<void> RepeatedPort::begin(const hal::node::exchange::Step& step) {
   sequence_ = step.sequence;
   asked_.clear();
   for (const auto& event : step.events) asked_.push_back(event.agent);
+  if (time_ && !replies_.empty() && replies_.front().at > time_->now())
+    time_->stop_at(replies_.front().at);
   return {};
+}
+
+hal::Result<std::optional<Reply>> RepeatedPort::try_finish() {
+  const bool is_early = time_ && (replies_.empty() || replies_.front().at > time_->now());
+  if (is_early) return std::nullopt;
+  auto reply = finish();
+  if (!reply) return tl::unexpected(reply.error());
+  return std::move(*reply);
 }
 
 hal::Result<Reply> RepeatedPort::finish() {
@@ -35,7 +45,7 @@ hal::Result<Reply> RepeatedPort::finish() {
     return hal::fail(hal::Errc::kProtocol,
                      fmt::format("the record has no further answer of '{}'", name_));
   }
-  Reply reply = std::move(replies_.front());
+  Reply reply = std::move(replies_.front().reply);
   replies_.pop_front();
   const bool is_its = std::ranges::all_of(reply.actions, [this](const auto& action) {
     return action.event < asked_.size() && asked_[action.event] == action.agent;

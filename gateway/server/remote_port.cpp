@@ -21,7 +21,7 @@ using hal::node::exchange::Event;
 using hal::node::exchange::Reply;
 using hal::node::exchange::Step;
 
-RemotePort::RemotePort(std::unique_ptr<exchange::ProcessLink> link,
+RemotePort::RemotePort(std::unique_ptr<exchange::ControllerLink> link,
                        const hal::node::exchange::Hello& hello,
                        const hal::node::exchange::Session& session,
                        std::function<void(hal::Time)> before_begin)
@@ -53,6 +53,8 @@ hal::Result<Reply> RemotePort::finish() {
 
 hal::Result<std::optional<Reply>> RemotePort::try_finish() {
   if (!link_) return disconnected();
+  std::optional<hal::node::exchange::ForeignCall> call;
+  if (link_->shares_time()) call.emplace(who_, "the answer", step_time_);
   hal::Result<std::optional<Reply>> reply = link_->try_finish();
   if (reply && *reply) *reply = checked(std::move(**reply));
   return reply;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gateway/exchange/process_link.h"
+#include "gateway/exchange/controller_link.h"
 #include "gateway/server/action_check.h"
 #include "gateway/server/server.h"
 
@@ -15,14 +15,15 @@ namespace gateway::server {
 class RemotePort : public hal::node::exchange::ControllerPort {
  public:
   /// @param before_begin  called with the time of each Step before it is sent.
-  RemotePort(std::unique_ptr<exchange::ProcessLink> link, const hal::node::exchange::Hello& hello,
-             const hal::node::exchange::Session& session,
+  RemotePort(std::unique_ptr<exchange::ControllerLink> link,
+             const hal::node::exchange::Hello& hello, const hal::node::exchange::Session& session,
              std::function<void(hal::Time)> before_begin);
 
   const std::string& name() const override { return summary_.name; }
   hal::Result<void> begin(const hal::node::exchange::Step& step) override;
   hal::Result<hal::node::exchange::Reply> finish() override;
   hal::Result<std::optional<hal::node::exchange::Reply>> try_finish() override;
+  bool shares_time() const override { return link_ && link_->shares_time(); }
   std::vector<int> descriptors() const override;
   hal::Result<void> check_alive() override;
 
@@ -39,7 +40,7 @@ class RemotePort : public hal::node::exchange::ControllerPort {
   hal::node::exchange::Reply checked(hal::node::exchange::Reply reply);
   bool is_good(const hal::node::exchange::Action& action);
 
-  std::unique_ptr<exchange::ProcessLink> link_;  ///< Null after disconnect().
+  std::unique_ptr<exchange::ControllerLink> link_;  ///< Null after disconnect().
   std::vector<hal::node::exchange::AgentSession> granted_;
   std::function<void(hal::Time)> before_begin_;
   std::string who_;                  ///< Name for messages.

@@ -10,6 +10,7 @@
 #include "gateway/process/waiting.h"
 #include "gateway/server/admission.h"
 #include "gateway/server/remote_port.h"
+#include "gateway/server/session_log.h"
 #include "hal/types/log.h"
 
 namespace gateway::server {
@@ -22,19 +23,6 @@ using hal::node::exchange::Session;
 constexpr hal::Duration kAskEvery = std::chrono::milliseconds{100};
 /// Maximum number of refusals and processes in a summary: a daemon runs for months.
 constexpr std::size_t kMostRemembered = 1000;
-
-void log(hal::log::Level level, hal::Time at, const std::string& text) {
-  hal::log::write(level, at, "gateway", text);
-}
-
-void log_session(const Hello& hello, const Session& session) {
-  if (!hal::log::is_on(hal::log::Level::kDebug)) return;
-  std::vector<std::string> names;
-  for (const auto& agent : session.agents) names.push_back(agent.name);
-  log(hal::log::Level::kDebug, hal::Time{},
-      fmt::format("session: process '{}' (pid {} on {}, program {}) drives {}", hello.process,
-                  hello.pid, hello.host, hello.program, fmt::join(names, ", ")));
-}
 
 }  // namespace
 
@@ -56,6 +44,9 @@ class AgentServer::Implementation {
 
   int domain() const { return server_.domain(); }
   domain::Invitation invite() { return server_.invite(); }
+  exchange::HeldLink& expect(exchange::HeldTurns turns) {
+    return *expected_.emplace_back(std::make_unique<exchange::HeldLink>(std::move(turns)));
+  }
   hal::Result<void> gather(const std::function<hal::Result<void>()>& keep_waiting);
   void attend(hal::Time now);
   std::vector<int> descriptors() const;
@@ -67,12 +58,15 @@ class AgentServer::Implementation {
   struct Candidate {
     Hello hello;
     Session session;
-    std::unique_ptr<exchange::ProcessLink> link;
+    std::unique_ptr<exchange::ControllerLink> link;
   };
 
   void answer_hellos(hal::Duration timeout, hal::Time now);
   void answer(const Hello& hello, hal::Time now);
-  void send(Session session, const Hello& hello, hal::Time now);
+  void answer_held(hal::Time now);
+  bool answer_held(std::unique_ptr<exchange::HeldLink>& link, hal::Time now);
+  Session with_directory(Session session, const Hello& hello) const;
+  void send(const Session& session, const Hello& hello, hal::Time now);
   void note_refusal(const Hello& hello, const std::string& reason, hal::Time now);
   void release_dead();
   void connect_all();
@@ -84,6 +78,7 @@ class AgentServer::Implementation {
   ServerSettings settings_;
   exchange::Server server_;
   Admission admission_;
+  std::vector<std::unique_ptr<exchange::HeldLink>> expected_;
   std::map<std::string, Candidate> candidates_;  ///< By instance.
   /// A process whose agents are connected.
   struct Connected {
@@ -123,18 +118,38 @@ void AgentServer::Implementation::attend(hal::Time now) {
 }
 
 void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time now) {
+  answer_held(now);
+  if (admission_.is_complete()) timeout = hal::Duration::zero();
   for (const Hello& hello : server_.hellos(timeout, death_descriptors())) answer(hello, now);
   for (const std::string& refusal : server_.take_refusals()) {
     log(hal::log::Level::kWarning, now, "refused " + refusal);
   }
 }
 
-void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
-  if (hal::log::is_on(hal::log::Level::kDebug)) {
-    log(hal::log::Level::kDebug, now,
-        fmt::format("Hello of process '{}' (pid {}) for {}", hello.process, hello.pid,
-                    fmt::join(hello.patterns, ", ")));
+/// The controllers in lock-step, one after the other.
+void AgentServer::Implementation::answer_held(hal::Time now) {
+  std::erase_if(expected_, [&](auto& link) { return answer_held(link, now); });
+}
+
+/// @return whether it has said Hello, and its link is used or of no use any more.
+bool AgentServer::Implementation::answer_held(std::unique_ptr<exchange::HeldLink>& link,
+                                              hal::Time now) {
+  const auto hello = link->hello(process::Deadline(settings_.wait));
+  if (!hello) return false;
+  log_hello(*hello, now);
+  const Session session = admission_.decide(*hello);
+  if (!session.refusal.empty()) {
+    note_refusal(*hello, session.refusal, now);
+    link->refuse(session, process::Deadline(settings_.wait));
+    return true;
   }
+  link->admit(with_directory(session, *hello), settings_.run, settings_.reply_timeout);
+  candidates_[hello->instance] = {*hello, session, std::move(link)};
+  return true;
+}
+
+void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
+  log_hello(hello, now);
   if (admission_.is_for_others(hello)) return;
   const Session session = admission_.decide(hello);
   const bool is_known =
@@ -155,10 +170,14 @@ void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
 }
 
 /// The directory is added here, so that it is not kept for each process.
-void AgentServer::Implementation::send(Session session, const Hello& hello, hal::Time now) {
+Session AgentServer::Implementation::with_directory(Session session, const Hello& hello) const {
   const bool is_granted = session.refusal.empty();
   if (is_granted && hello.wants.names) session.directory = host_.directory();
-  if (auto sent = server_.answer(std::move(session)); !sent) {
+  return session;
+}
+
+void AgentServer::Implementation::send(const Session& session, const Hello& hello, hal::Time now) {
+  if (auto sent = server_.answer(with_directory(session, hello)); !sent) {
     log(hal::log::Level::kWarning, now, sent.error().message);
   }
 }
@@ -250,6 +269,9 @@ AgentServer::~AgentServer() = default;
 
 int AgentServer::domain() const { return implementation_->domain(); }
 domain::Invitation AgentServer::invite() { return implementation_->invite(); }
+exchange::HeldLink& AgentServer::expect(exchange::HeldTurns turns) {
+  return implementation_->expect(std::move(turns));
+}
 
 hal::Result<void> AgentServer::gather(const std::function<hal::Result<void>()>& keep_waiting) {
   return implementation_->gather(keep_waiting);

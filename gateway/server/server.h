@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gateway/domain/invitation.h"
+#include "gateway/exchange/held_link.h"
 #include "gateway/process/domains.h"
 #include "hal/node/exchange/ports.h"
 
@@ -72,6 +73,11 @@ class AgentServer {
   /// An invitation for a controller in another network namespace, which is to be started with it.
   /// @throws std::runtime_error  no port or no descriptor is left.
   domain::Invitation invite();
+
+  /// The exchange with a controller in lock-step, which is about to be started. It is over in
+  /// gather(), in which the object ends, too, if it is refused.
+  /// @throws std::runtime_error  no descriptor is left.
+  exchange::HeldLink& expect(exchange::HeldTurns turns);
 
   /// Waits until every agent has a controller and refuses processes that may not control any, then
   /// connects them to the host in order of their agents. If a process dies meanwhile, its agents

@@ -204,7 +204,7 @@ bool AgentWaits::release_ended() {
 
 /// Looks until it is, or its slot says something else. @return false: the latter.
 bool AgentWaits::is_asleep(std::size_t i) {
-  constexpr int kAtOnce = 4, kShortWaits = 16;
+  constexpr int kShortWaits = 16;
   const SlotState before = slot(i).state.load();
   for (int looks = 0; slot(i).state.load() == before; ++looks) {
     const std::uint32_t seen = page_.event.load();
@@ -216,18 +216,20 @@ bool AgentWaits::is_asleep(std::size_t i) {
       release(i);
       break;
     }
-    if (looks >= kAtOnce) wait_for_event(seen, (looks < kShortWaits ? 30 : 300) * kMicrosecond);
+    // It may have to run on this thread's processor.
+    wait_for_event(seen, (looks < kShortWaits ? 30 : 300) * kMicrosecond);
     if (looks > kShortWaits && is_broken_off()) break;
   }
   return false;
 }
 
-bool AgentWaits::is_to_be_seen(std::size_t i, bool looks_at_parked) const {
+/// Once at least in each wait: what it waits for may have come before it began.
+bool AgentWaits::is_to_be_seen(std::size_t i, bool looks_at_parked, bool is_stirred) const {
   const WaitSlot& one = page_.slots[i];
   const SlotState state = one.state.load();
   if (state == SlotState::kWants) return looks_at_parked;
   if (state != SlotState::kWaiting) return false;
-  return looks_at_parked || one.kind.load() == WaitKind::kInKernel ||
+  return looks_at_parked || (is_stirred && one.kind.load() == WaitKind::kInKernel) ||
          threads_[i].ticket != one.ticket.load();
 }
 
@@ -236,10 +238,13 @@ bool AgentWaits::are_all_asleep() {
   looks_at_parked_ = looks_at_parked_ || signals != signals_;
   signals_ = signals;
   const bool looks_at_parked = std::exchange(looks_at_parked_, false);
+  const std::uint32_t stirs = page_.stirs.load();
+  const bool is_stirred = is_stirred_ || looks_at_parked || stirs != stirs_;
+  stirs_ = stirs;
   has_seen_awake_ = false;
   bool are_all = true;
   for (std::size_t i = 0; i < used(); ++i) {
-    if (!is_to_be_seen(i, looks_at_parked)) continue;
+    if (!is_to_be_seen(i, looks_at_parked, is_stirred)) continue;
     const std::uint64_t ticket = slot(i).ticket.load();
     if (is_asleep(i)) {
       threads_[i].ticket = ticket;
@@ -250,7 +255,8 @@ bool AgentWaits::are_all_asleep() {
   // A handler may have run in a thread that waits as before: it may have woken those that were
   // looked at before it.
   looks_at_parked_ = looks_at_parked_ || (looks_at_parked && has_seen_awake_);
-  return are_all && !looks_at_parked_;
+  is_stirred_ = !are_all || looks_at_parked_;
+  return !is_stirred_;
 }
 
 void AgentWaits::grant(std::size_t i) {
@@ -283,6 +289,7 @@ bool AgentWaits::is_unsettled(std::uint32_t seen) {
 
 bool AgentWaits::settle() {
   running_since_ = wall_time();
+  is_stirred_ = true;
   while (!is_broken_off()) {
     const std::uint32_t seen = page_.event.load();
     if (is_unsettled(seen)) continue;

@@ -103,7 +103,7 @@ class AgentWaits {
   void look_at_running(std::size_t i);
   bool is_in_unknown_call(std::size_t i);
   /// Whether only the kernel knows if a thread that has published a wait is asleep.
-  bool is_to_be_seen(std::size_t i, bool looks_at_parked) const;
+  bool is_to_be_seen(std::size_t i, bool looks_at_parked, bool is_stirred) const;
   bool are_all_asleep();
   bool is_asleep(std::size_t i);
   bool release_ended();
@@ -126,6 +126,10 @@ class AgentWaits {
   std::array<Thread, netns::WaitPage::kSlots> threads_;
   std::vector<std::size_t> ended_;
   bool has_seen_awake_ = false;  ///< A thread that was looked at by are_all_asleep().
+  /// Threads that wait in the kernel may have been woken since they were last looked at: by the
+  /// run, or by system calls of the programs, WaitPage::stirs.
+  bool is_stirred_ = true;
+  std::uint32_t stirs_ = 0;
   /// A signal was sent: handlers may run in threads that are parked, or want to go on.
   bool looks_at_parked_ = false;
   std::uint32_t signals_ = 0;                      ///< As WaitPage::signals was.

@@ -64,7 +64,7 @@ struct alignas(64) WaitSlot {
   std::atomic<std::int64_t> deadline;  ///< Virtual time, ns; kNever: none.
   std::atomic<std::int64_t> interval;  ///< kTimer: ns; 0: it expires once.
   std::atomic<std::uint64_t> object;  ///< kParked: what it waits for; see programs/waits/parking.h.
-  std::atomic<std::uint64_t> ticket;  ///< kParked: the earlier the wait, the lower; not 0.
+  std::atomic<std::uint64_t> ticket;  ///< The earlier the wait, the lower; not 0.
   std::atomic<std::int32_t> descriptor;  ///< kTimer: of an eventfd to be written; -1: none.
   std::atomic<std::int32_t> signal;      ///< kTimer: to be sent; 0: none.
   std::atomic<std::uint32_t> readings;   ///< Of the clock since its last wait: see WaitPage.
@@ -94,11 +94,14 @@ struct WaitPage {
   std::atomic<std::uint32_t> is_awaited;  ///< 1: the run waits for `event`.
   std::atomic<std::uint32_t> used;        ///< Slots from this one on have never been taken.
   std::atomic<std::uint32_t> ports;       ///< Ephemeral ports given out.
-  std::atomic<std::uint64_t> tickets;     ///< Waits of kind kParked so far.
+  std::atomic<std::uint64_t> tickets;     ///< Waits so far.
   std::atomic<std::uint64_t> drawn;       ///< Processes that have drawn entropy.
   std::atomic<std::uint32_t> signals;     ///< Sent among the programs so far.
   std::atomic<std::uint64_t> spins;       ///< Times that a thread was made to sleep: see readings.
-  std::array<std::uint32_t, 48> reserved;
+  /// System calls so far that may have woken a thread that waits in the kernel: see
+  /// programs/waits/kernel_call.h.
+  std::atomic<std::uint32_t> stirs;
+  std::array<std::uint32_t, 47> reserved;
   /// Threads that are parked, by a hash of what for: what is 0 need not be searched for.
   std::array<std::atomic<std::uint32_t>, 256> parked;
   std::array<WaitSlot, kSlots> slots;

@@ -38,7 +38,7 @@ class KeptErrno {
 int option_of(int socket, int level, int option) {
   int value = -1;
   socklen_t length = sizeof value;
-  if (BARAKA_NEXT(getsockopt)(socket, level, option, &value, &length) != 0) return -1;
+  if (BARAKA_NEXT_QUIET(getsockopt)(socket, level, option, &value, &length) != 0) return -1;
   return value;
 }
 
@@ -57,7 +57,8 @@ bool is_ipv4_loopback(std::uint32_t network_order) {
 bool is_group_on_loopback(int socket) {
   in_addr interface {};
   socklen_t length = sizeof interface;
-  if (BARAKA_NEXT(getsockopt)(socket, IPPROTO_IP, IP_MULTICAST_IF, &interface, &length) == 0 &&
+  if (BARAKA_NEXT_QUIET(getsockopt)(socket, IPPROTO_IP, IP_MULTICAST_IF, &interface, &length) ==
+          0 &&
       is_ipv4_loopback(interface.s_addr)) {
     return true;
   }

@@ -32,14 +32,18 @@ class Intercepted {
 /// Calls the original function: BARAKA_NEXT(poll)(descriptors, count, timeout). In a library that
 /// catches system calls (let_pass.h), those of the function pass.
 #ifdef BARAKA_CATCHES_SYSTEM_CALLS
-#define BARAKA_PASSING ::programs::preload::passing
+#define BARAKA_PASSING(effect) \
+  ::programs::preload::passing<::programs::preload::LetPass::Effect::effect>
 #else
-#define BARAKA_PASSING
+#define BARAKA_PASSING(effect)
 #endif
-#define BARAKA_NEXT(name)                                                    \
-  ([] {                                                                      \
-    static constinit ::programs::preload::Intercepted call(#name);           \
-    return BARAKA_PASSING(reinterpret_cast<decltype(&::name)>(call.find())); \
+#define BARAKA_NEXT_OF(name, effect)                                                 \
+  ([] {                                                                              \
+    static constinit ::programs::preload::Intercepted call(#name);                   \
+    return BARAKA_PASSING(effect)(reinterpret_cast<decltype(&::name)>(call.find())); \
   }())
+#define BARAKA_NEXT(name) BARAKA_NEXT_OF(name, kMayWake)
+/// The same of a function that wakes no thread which waits in the kernel (LetPass::Effect::kNone).
+#define BARAKA_NEXT_QUIET(name) BARAKA_NEXT_OF(name, kNone)
 
 }  // namespace programs::preload

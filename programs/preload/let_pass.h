@@ -6,7 +6,14 @@ namespace programs::preload {
 /// it): while this lives, those of the calling thread go to the kernel.
 class LetPass {
  public:
-  LetPass();
+  /// What the calls can do to other threads.
+  enum class Effect : bool {
+    kNone,  ///< Wake none: they only ask, take what comes from outside, or change this process's
+            ///< memory.
+    kMayWake
+  };
+
+  explicit LetPass(Effect effect);
   ~LetPass();
   LetPass(const LetPass&) = delete;
   LetPass& operator=(const LetPass&) = delete;
@@ -16,17 +23,17 @@ class LetPass {
 };
 
 /// What calls the next library's function and lets its system calls pass.
-template <class Result, class... Parameters>
+template <LetPass::Effect kEffect, class Result, class... Parameters>
 auto passing(Result (*function)(Parameters...)) {
   return [function](Parameters... given) {
-    const LetPass let_pass;
+    const LetPass let_pass(kEffect);
     return function(given...);
   };
 }
-template <class Result, class... Parameters>
+template <LetPass::Effect kEffect, class Result, class... Parameters>
 auto passing(Result (*function)(Parameters..., ...)) {
   return [function](Parameters... given, auto... more) {
-    const LetPass let_pass;
+    const LetPass let_pass(kEffect);
     return function(given..., more...);
   };
 }

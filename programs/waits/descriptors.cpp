@@ -6,6 +6,7 @@
 #include <sys/epoll.h>
 #include <sys/select.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -17,6 +18,7 @@
 #include "programs/preload/writable.h"
 #include "programs/waits/cancellation.h"
 #include "programs/waits/handlers.h"
+#include "programs/waits/kernel_call.h"
 #include "programs/waits/virtual_clock.h"
 
 extern "C" {
@@ -44,7 +46,7 @@ bool is_to_send(const pollfd* descriptors, nfds_t count) {
 
 /// What is ready now, without sockets that have no room. @return as ppoll().
 int look(pollfd* descriptors, nfds_t count, bool& lacks_room) {
-  const int ready = BARAKA_NEXT(ppoll)(descriptors, count, &kNoTime, nullptr);
+  const int ready = BARAKA_NEXT_QUIET(ppoll)(descriptors, count, &kNoTime, nullptr);
   lacks_room = ready > 0 && preload::room() != nullptr && preload::wants_room(descriptors, count) &&
                !preload::room()->has_room(1);
   return lacks_room ? preload::ready_without_room(descriptors, count) : ready;
@@ -60,18 +62,22 @@ int interrupted() {
 }  // namespace
 
 sigset_t blocked_in_wait(const sigset_t* signals) {
-  sigset_t blocked;
+  sigset_t blocked{};
   if (signals != nullptr) {
     blocked = *signals;
   } else {
-    pthread_sigmask(SIG_BLOCK, nullptr, &blocked);
+    // The C library's call would be caught.
+    constexpr long kKernelSize = 8;
+    kernel_call(SYS_rt_sigprocmask,
+                {SIG_BLOCK, 0, reinterpret_cast<long>(&blocked), kKernelSize, 0, 0});
   }
   sigdelset(&blocked, kEndWait);
   return blocked;
 }
 
 bool is_blocking(int descriptor, int flags) {
-  return (flags & MSG_DONTWAIT) == 0 && (fcntl(descriptor, F_GETFL) & O_NONBLOCK) == 0;
+  return (flags & MSG_DONTWAIT) == 0 &&
+         (BARAKA_NEXT_QUIET(fcntl64)(descriptor, F_GETFL) & O_NONBLOCK) == 0;
 }
 
 int wait_to_transfer(int descriptor, short events, Nanoseconds deadline) {
@@ -89,7 +95,7 @@ namespace {
 /// @return false: with errno, what the call ends with.
 bool wait_once(pollfd* descriptors, nfds_t count, Nanoseconds deadline, const sigset_t& blocked) {
   KernelWait wait(deadline, is_to_send(descriptors, count) ? netns::kSendingObject : 0);
-  const int status = BARAKA_NEXT(ppoll)(descriptors, count, nullptr, &blocked);
+  const int status = BARAKA_NEXT_QUIET(ppoll)(descriptors, count, nullptr, &blocked);
   wait.end();
   return status >= 0 || errno == EINTR;
 }
@@ -177,8 +183,8 @@ class Selection {
   }
 
   int select_now(const timespec* timeout, const sigset_t* signals) {
-    return BARAKA_NEXT(pselect)(count_, sets_.readable, sets_.writable, sets_.exceptional, timeout,
-                                signals);
+    return BARAKA_NEXT_QUIET(pselect)(count_, sets_.readable, sets_.writable, sets_.exceptional,
+                                      timeout, signals);
   }
   int count_;
   preload::DescriptorSets sets_;
@@ -189,7 +195,7 @@ class Selection {
 int wait_for_epoll(int epoll, epoll_event* events, int most, Nanoseconds deadline,
                    const sigset_t* signals) {
   for (;;) {
-    const int ready = BARAKA_NEXT(epoll_wait)(epoll, events, most, 0);
+    const int ready = BARAKA_NEXT_QUIET(epoll_wait)(epoll, events, most, 0);
     if (ready != 0) return ready;
     // It may be waiting to send as well, of which its descriptor does not tell.
     pollfd one{epoll, POLLIN | POLLOUT, 0};

@@ -81,7 +81,7 @@ int lock_until(Object* object, Nanoseconds deadline, const Try& attempt) {
 bool would_say_deadlock(const pthread_mutex_t& mutex) {
   constexpr int kKinds = 3;
   return (mutex.__data.__kind & kKinds) == PTHREAD_MUTEX_ERRORCHECK &&
-         mutex.__data.__owner == static_cast<int>(BARAKA_NEXT(syscall)(SYS_gettid));
+         mutex.__data.__owner == static_cast<int>(BARAKA_NEXT_QUIET(syscall)(SYS_gettid));
 }
 
 /// A thread that takes a mutex and returns it, again and again, until another thread has changed
@@ -99,7 +99,7 @@ void count_lock() {
 int lock_mutex(pthread_mutex_t* mutex, Nanoseconds deadline) {
   if (would_say_deadlock(*mutex)) return EDEADLK;
   count_lock();
-  return lock_until(mutex, deadline, BARAKA_NEXT(pthread_mutex_trylock));
+  return lock_until(mutex, deadline, BARAKA_NEXT_QUIET(pthread_mutex_trylock));
 }
 
 /// By which its timed waits go: bit 1 of this field (nptl/pthread_cond_common.c).
@@ -123,13 +123,13 @@ int wait_for_semaphore(sem_t* semaphore, Nanoseconds deadline) {
   programs::waits::cancellation_point();
   const unsigned before = programs::waits::interruptions();
   for (;;) {
-    if (BARAKA_NEXT(sem_trywait)(semaphore) == 0) return 0;
+    if (BARAKA_NEXT_QUIET(sem_trywait)(semaphore) == 0) return 0;
     if (errno != EAGAIN) return -1;
     switch (park(object_of(*semaphore), deadline)) {
       case Woken::kByThread:
         break;
       case Woken::kByDeadline:
-        if (BARAKA_NEXT(sem_trywait)(semaphore) == 0) return 0;
+        if (BARAKA_NEXT_QUIET(sem_trywait)(semaphore) == 0) return 0;
         errno = ETIMEDOUT;
         return -1;
       case Woken::kBySignal:
@@ -183,19 +183,19 @@ BARAKA_EXPORTED int pthread_mutex_timedlock(pthread_mutex_t* mutex,
 }
 
 BARAKA_EXPORTED int pthread_mutex_unlock(pthread_mutex_t* mutex) noexcept {
-  const int error = BARAKA_NEXT(pthread_mutex_unlock)(mutex);
+  const int error = BARAKA_NEXT_QUIET(pthread_mutex_unlock)(mutex);
   if (error == 0) wake_one(*mutex);
   return error;
 }
 
 BARAKA_EXPORTED int pthread_rwlock_rdlock(pthread_rwlock_t* lock) noexcept {
   if (own_slot() == nullptr) return BARAKA_NEXT(pthread_rwlock_rdlock)(lock);
-  return lock_until(lock, kNever, BARAKA_NEXT(pthread_rwlock_tryrdlock));
+  return lock_until(lock, kNever, BARAKA_NEXT_QUIET(pthread_rwlock_tryrdlock));
 }
 
 BARAKA_EXPORTED int pthread_rwlock_wrlock(pthread_rwlock_t* lock) noexcept {
   if (own_slot() == nullptr) return BARAKA_NEXT(pthread_rwlock_wrlock)(lock);
-  return lock_until(lock, kNever, BARAKA_NEXT(pthread_rwlock_trywrlock));
+  return lock_until(lock, kNever, BARAKA_NEXT_QUIET(pthread_rwlock_trywrlock));
 }
 
 BARAKA_EXPORTED int pthread_rwlock_clockrdlock(pthread_rwlock_t* lock, clockid_t clock,
@@ -203,7 +203,7 @@ BARAKA_EXPORTED int pthread_rwlock_clockrdlock(pthread_rwlock_t* lock, clockid_t
   if (own_slot() == nullptr || !is_moment(until)) {
     return BARAKA_NEXT(pthread_rwlock_clockrdlock)(lock, clock, until);
   }
-  return lock_until(lock, deadline_at(until, clock), BARAKA_NEXT(pthread_rwlock_tryrdlock));
+  return lock_until(lock, deadline_at(until, clock), BARAKA_NEXT_QUIET(pthread_rwlock_tryrdlock));
 }
 
 BARAKA_EXPORTED int pthread_rwlock_clockwrlock(pthread_rwlock_t* lock, clockid_t clock,
@@ -211,7 +211,7 @@ BARAKA_EXPORTED int pthread_rwlock_clockwrlock(pthread_rwlock_t* lock, clockid_t
   if (own_slot() == nullptr || !is_moment(until)) {
     return BARAKA_NEXT(pthread_rwlock_clockwrlock)(lock, clock, until);
   }
-  return lock_until(lock, deadline_at(until, clock), BARAKA_NEXT(pthread_rwlock_trywrlock));
+  return lock_until(lock, deadline_at(until, clock), BARAKA_NEXT_QUIET(pthread_rwlock_trywrlock));
 }
 
 BARAKA_EXPORTED int pthread_rwlock_timedrdlock(pthread_rwlock_t* lock,
@@ -226,7 +226,7 @@ BARAKA_EXPORTED int pthread_rwlock_timedwrlock(pthread_rwlock_t* lock,
 
 /// All that wait look again: several readers may get it.
 BARAKA_EXPORTED int pthread_rwlock_unlock(pthread_rwlock_t* lock) noexcept {
-  const int error = BARAKA_NEXT(pthread_rwlock_unlock)(lock);
+  const int error = BARAKA_NEXT_QUIET(pthread_rwlock_unlock)(lock);
   if (error == 0) wake_all(*lock);
   return error;
 }
@@ -279,7 +279,7 @@ BARAKA_EXPORTED int sem_timedwait(sem_t* __restrict semaphore, const timespec* _
 }
 
 BARAKA_EXPORTED int sem_post(sem_t* semaphore) noexcept {
-  const int status = BARAKA_NEXT(sem_post)(semaphore);
+  const int status = BARAKA_NEXT_QUIET(sem_post)(semaphore);
   if (status == 0) wake_one(*semaphore);
   return status;
 }

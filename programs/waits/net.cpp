@@ -131,6 +131,31 @@ long set_action(const Arguments& a) {
   return result;
 }
 
+/// Of those that programs make often: they ask, or change this process alone.
+bool wakes_nobody(long number) {
+  switch (number) {
+    case SYS_mmap:
+    case SYS_munmap:
+    case SYS_mremap:
+    case SYS_mprotect:
+    case SYS_madvise:
+    case SYS_brk:
+    case SYS_getpid:
+    case SYS_gettid:
+    case SYS_fstat:
+    case SYS_newfstatat:
+    case SYS_lseek:
+    case SYS_getsockname:
+    case SYS_getpeername:
+    case SYS_sched_yield:
+    case SYS_rt_sigaction:
+    case SYS_rt_sigprocmask:
+      return true;
+    default:
+      return false;
+  }
+}
+
 long as_kernel(long result) { return result == -1 ? -errno : result; }
 
 long answer_caught(ucontext_t& context) {
@@ -159,6 +184,7 @@ void on_system_call(int, siginfo_t* info, void* given) {
 }  // namespace
 
 long kernel_call(long number, const Arguments& a) {
+  if (!wakes_nobody(number)) stir();
   long result = number;
   register long fourth __asm__("r10") = a[3];
   register long fifth __asm__("r8") = a[4];
@@ -193,7 +219,10 @@ void catch_system_calls() {
 
 namespace programs::preload {
 
-LetPass::LetPass() : before_(waits::selector) { waits::selector = waits::kPass; }
+LetPass::LetPass(Effect effect) : before_(waits::selector) {
+  if (effect == Effect::kMayWake) waits::stir();
+  waits::selector = waits::kPass;
+}
 LetPass::~LetPass() { waits::selector = before_; }
 
 }  // namespace programs::preload

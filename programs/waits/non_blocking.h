@@ -13,12 +13,12 @@ namespace programs::waits {
 class NonBlocking {
  public:
   explicit NonBlocking(int descriptor)
-      : descriptor_(descriptor), flags_(BARAKA_NEXT(fcntl64)(descriptor, F_GETFL)) {
-    if (changes()) BARAKA_NEXT(fcntl64)(descriptor_, F_SETFL, flags_ | O_NONBLOCK);
+      : descriptor_(descriptor), flags_(BARAKA_NEXT_QUIET(fcntl64)(descriptor, F_GETFL)) {
+    if (changes()) BARAKA_NEXT_QUIET(fcntl64)(descriptor_, F_SETFL, flags_ | O_NONBLOCK);
   }
   ~NonBlocking() {
     const int kept = errno;
-    if (changes()) BARAKA_NEXT(fcntl64)(descriptor_, F_SETFL, flags_);
+    if (changes()) BARAKA_NEXT_QUIET(fcntl64)(descriptor_, F_SETFL, flags_);
     errno = kept;
   }
   NonBlocking(const NonBlocking&) = delete;

@@ -36,6 +36,7 @@ namespace {
 using programs::waits::is_blocking;
 using programs::waits::own_slot;
 using programs::waits::receive_deadline;
+using programs::waits::stir_by_reading;
 using programs::waits::until_done;
 
 /// Those that have no flag by which they do not wait: after a wait for something to be there.
@@ -51,7 +52,7 @@ bool wait_until_readable(int descriptor) {
 bool is_stream(int socket) {
   int type = 0;
   socklen_t size = sizeof type;
-  return BARAKA_NEXT(getsockopt)(socket, SOL_SOCKET, SO_TYPE, &type, &size) == 0 &&
+  return BARAKA_NEXT_QUIET(getsockopt)(socket, SOL_SOCKET, SO_TYPE, &type, &size) == 0 &&
          type == SOCK_STREAM;
 }
 
@@ -67,6 +68,7 @@ ssize_t receive(int socket, int flags, std::size_t length, const Call& call) {
   std::size_t received = 0;
   for (;;) {
     const ssize_t some = until_done(socket, POLLIN, waits, deadline, [&](bool no_wait) {
+      stir_by_reading();
       return call(received, no_wait ? flags | MSG_DONTWAIT : flags);
     });
     if (some <= 0) return received > 0 ? static_cast<ssize_t>(received) : some;
@@ -78,13 +80,13 @@ ssize_t receive(int socket, int flags, std::size_t length, const Call& call) {
 /// From a byte on; what comes beside the bytes comes with the first.
 ssize_t receive_rest(int socket, msghdr& message, std::size_t begin, int flags) {
   if (begin == 0 || message.msg_iovlen > IOV_MAX)
-    return BARAKA_NEXT(recvmsg)(socket, &message, flags);
+    return BARAKA_NEXT_QUIET(recvmsg)(socket, &message, flags);
   std::array<iovec, IOV_MAX> parts;
   msghdr rest{};
   rest.msg_iov = parts.data();
   rest.msg_iovlen =
       programs::waits::parts_from(message.msg_iov, message.msg_iovlen, begin, parts.data());
-  return BARAKA_NEXT(recvmsg)(socket, &rest, flags);
+  return BARAKA_NEXT_QUIET(recvmsg)(socket, &rest, flags);
 }
 
 /// Everything comes in at the virtual time at which it is asked for: none passes in between.
@@ -123,14 +125,14 @@ void put_times(msghdr& message) {
 BARAKA_EXPORTED ssize_t recvfrom(int socket, void* bytes, size_t length, int flags, sockaddr* from,
                                  socklen_t* from_length) {
   return receive(socket, flags, length, [=](std::size_t begin, int with) {
-    return BARAKA_NEXT(recvfrom)(socket, static_cast<char*>(bytes) + begin, length - begin, with,
-                                 from, from_length);
+    return BARAKA_NEXT_QUIET(recvfrom)(socket, static_cast<char*>(bytes) + begin, length - begin,
+                                       with, from, from_length);
   });
 }
 
 BARAKA_EXPORTED ssize_t recv(int socket, void* bytes, size_t length, int flags) {
   return receive(socket, flags, length, [=](std::size_t begin, int with) {
-    return BARAKA_NEXT(recv)(socket, static_cast<char*>(bytes) + begin, length - begin, with);
+    return BARAKA_NEXT_QUIET(recv)(socket, static_cast<char*>(bytes) + begin, length - begin, with);
   });
 }
 
@@ -148,7 +150,7 @@ BARAKA_EXPORTED ssize_t checked_recvfrom(int socket, void* bytes, size_t length,
 }
 
 BARAKA_EXPORTED ssize_t recvmsg(int socket, msghdr* message, int flags) {
-  if (message == nullptr) return BARAKA_NEXT(recvmsg)(socket, message, flags);
+  if (message == nullptr) return BARAKA_NEXT_QUIET(recvmsg)(socket, message, flags);
   const ssize_t length = receive(
       socket, flags, programs::waits::length_of(message->msg_iov, message->msg_iovlen),
       [=](std::size_t begin, int with) { return receive_rest(socket, *message, begin, with); });
@@ -160,7 +162,8 @@ BARAKA_EXPORTED ssize_t recvmsg(int socket, msghdr* message, int flags) {
 /// wait for more than one.
 BARAKA_EXPORTED int recvmmsg(int socket, mmsghdr* messages, unsigned count, int flags,
                              timespec* timeout) {
-  if (own_slot() == nullptr) return BARAKA_NEXT(recvmmsg)(socket, messages, count, flags, timeout);
+  if (own_slot() == nullptr)
+    return BARAKA_NEXT_QUIET(recvmmsg)(socket, messages, count, flags, timeout);
   const bool waits = is_blocking(socket, flags);
   const auto deadline =
       timeout != nullptr ? programs::waits::deadline_in(timeout) : receive_deadline(socket);
@@ -168,8 +171,9 @@ BARAKA_EXPORTED int recvmmsg(int socket, mmsghdr* messages, unsigned count, int 
   while (received < count) {
     const bool waits_for_this = waits && (received == 0 || (flags & MSG_WAITFORONE) == 0);
     const int some = until_done(socket, POLLIN, waits_for_this, deadline, [&](bool no_wait) {
-      return BARAKA_NEXT(recvmmsg)(socket, messages + received, count - received,
-                                   no_wait ? flags | MSG_DONTWAIT : flags, nullptr);
+      stir_by_reading();
+      return BARAKA_NEXT_QUIET(recvmmsg)(socket, messages + received, count - received,
+                                         no_wait ? flags | MSG_DONTWAIT : flags, nullptr);
     });
     if (some < 0 && received == 0) return -1;
     if (some <= 0) break;
@@ -182,10 +186,11 @@ BARAKA_EXPORTED int recvmmsg(int socket, mmsghdr* messages, unsigned count, int 
 
 BARAKA_EXPORTED ssize_t read(int descriptor, void* bytes, size_t length) {
   if (!wait_until_readable(descriptor)) return -1;
-  const ssize_t got = BARAKA_NEXT(read)(descriptor, bytes, length);
+  stir_by_reading();
+  const ssize_t got = BARAKA_NEXT_QUIET(read)(descriptor, bytes, length);
   const bool is_at_end = got == 0 && length > 0 && own_slot() != nullptr;
   if (!is_at_end || !programs::waits::is_refilled(descriptor)) return got;
-  return BARAKA_NEXT(read)(descriptor, bytes, length);
+  return BARAKA_NEXT_QUIET(read)(descriptor, bytes, length);
 }
 
 BARAKA_EXPORTED ssize_t checked_read(int descriptor, void* bytes, size_t length, size_t size) {
@@ -194,7 +199,9 @@ BARAKA_EXPORTED ssize_t checked_read(int descriptor, void* bytes, size_t length,
 }
 
 BARAKA_EXPORTED ssize_t readv(int descriptor, const iovec* parts, int count) {
-  return wait_until_readable(descriptor) ? BARAKA_NEXT(readv)(descriptor, parts, count) : -1;
+  if (!wait_until_readable(descriptor)) return -1;
+  stir_by_reading();
+  return BARAKA_NEXT_QUIET(readv)(descriptor, parts, count);
 }
 
 BARAKA_EXPORTED int accept4(int socket, sockaddr* from, socklen_t* length, int flags) {

@@ -99,7 +99,7 @@ ssize_t write_when_possible(const Datagram& datagram, const iovec* parts, int co
   const int descriptor = datagram.socket;
   int type = 0;
   socklen_t size = sizeof type;
-  if (BARAKA_NEXT(getsockopt)(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) == 0) {
+  if (BARAKA_NEXT_QUIET(getsockopt)(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) == 0) {
     return send_when_possible(datagram, 0, send_it);
   }
   if (!is_blocking(descriptor, 0) || programs::waits::is_over()) return write_it();

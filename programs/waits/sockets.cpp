@@ -38,7 +38,7 @@ Known* known(int socket) {
 bool is_socket(int descriptor) {
   int type = 0;
   socklen_t length = sizeof type;
-  return BARAKA_NEXT(getsockopt)(descriptor, SOL_SOCKET, SO_TYPE, &type, &length) == 0;
+  return BARAKA_NEXT_QUIET(getsockopt)(descriptor, SOL_SOCKET, SO_TYPE, &type, &length) == 0;
 }
 
 /// A pipe, or any other file, may have the number of a socket that was closed.
@@ -80,7 +80,7 @@ in_port_t* free_port(Address& address, socklen_t length) {
 bool has_ports(int socket) {
   int type = 0;
   socklen_t length = sizeof type;
-  if (BARAKA_NEXT(getsockopt)(socket, SOL_SOCKET, SO_TYPE, &type, &length) != 0) return false;
+  if (BARAKA_NEXT_QUIET(getsockopt)(socket, SOL_SOCKET, SO_TYPE, &type, &length) != 0) return false;
   return type == SOCK_DGRAM || type == SOCK_STREAM;
 }
 
@@ -175,7 +175,7 @@ BARAKA_EXPORTED int connect(int socket, const sockaddr* address, socklen_t lengt
         programs::waits::wait_to_transfer(socket, POLLOUT, programs::waits::send_deadline(socket));
     socklen_t size = sizeof error;
     if (status < 0) error = errno;
-    if (status > 0) BARAKA_NEXT(getsockopt)(socket, SOL_SOCKET, SO_ERROR, &error, &size);
+    if (status > 0) BARAKA_NEXT_QUIET(getsockopt)(socket, SOL_SOCKET, SO_ERROR, &error, &size);
     status = status > 0 && error == 0 ? 0 : -1;
   }
   fcntl(socket, F_SETFL, flags);

@@ -30,7 +30,7 @@ __attribute__((tls_model("initial-exec"))) thread_local WaitSlot* own = nullptr;
 __attribute__((tls_model("initial-exec"))) thread_local unsigned steps_of_spinner = 0;
 
 long system_call(long number, auto... arguments) {
-  return BARAKA_NEXT(syscall)(number, arguments...);
+  return BARAKA_NEXT_QUIET(syscall)(number, arguments...);
 }
 
 void futex_wake(std::atomic<std::uint32_t>& word) {
@@ -237,6 +237,18 @@ bool is_over() { return shared->is_over.load() != 0; }
 
 Nanoseconds now() { return shared->now.load(); }
 
+void stir() {
+  if (shared != nullptr) shared->stirs.fetch_add(1);
+}
+
+void stir_by_reading() {
+  if (shared == nullptr) return;
+  const std::uint32_t used = shared->used.load();
+  for (std::uint32_t i = 0; i < used; ++i) {
+    if (shared->slots[i].object.load() == netns::kSendingObject) return stir();
+  }
+}
+
 void tell_run() {
   shared->event.fetch_add(1);
   if (shared->is_awaited.load() != 0) futex_wake(shared->event);
@@ -345,6 +357,7 @@ KernelWait::KernelWait(Nanoseconds deadline, std::uint64_t object) : slot_(*own_
   pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &cancel_state_);
   start_to_wait(slot_);
   slot_.object.store(object);
+  slot_.ticket.store(shared->tickets.fetch_add(1) + 1);
   publish(slot_, WaitKind::kInKernel, deadline);
 }
 

@@ -53,6 +53,12 @@ void return_from_call();
 /// Tells the run that a slot has changed.
 void tell_run();
 
+/// Tells the run, before a system call, that it may wake threads of this agent that wait in the
+/// kernel. All calls say so but those that are known not to.
+void stir();
+/// The same before a call that reads: it wakes those only that wait until they can send or write.
+void stir_by_reading();
+
 /// How a wait ended.
 enum class Woken : std::uint8_t {
   kByThread,    ///< wake(), or the run.

@@ -1,5 +1,7 @@
 #include "sim/agents/controllers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -21,7 +23,12 @@ void Controllers::connect(std::shared_ptr<hal::node::exchange::ControllerPort> p
     if (agent.value >= port_of_.size()) port_of_.resize(agent.value + 1u, kNone);
     port_of_[agent.value] = ports_.size();
   }
-  ports_.push_back({.port = std::move(port), .agents = agents, .step = {}});
+  Connection& connection = ports_.emplace_back();
+  connection.port = std::move(port);
+  connection.agents = agents;
+  if (!connection.port->shares_time()) return;
+  connection.courier.emplace(connection.port);
+  share_time_ = true;
 }
 
 bool Controllers::is_connected(hal::AgentId agent) const {
@@ -49,6 +56,9 @@ Controllers::Round Controllers::exchange(std::vector<hal::node::exchange::Event>
       round.failures.push_back({i, begun.error()});
     }
   }
+  if (share_time_) {
+    for (std::size_t i = 0; i < ports_.size(); ++i) attend(i, round);
+  }
   for (const std::size_t i : waiting) {
     auto reply = ports_[i].port->finish();
     if (reply) {
@@ -67,16 +77,63 @@ Controllers::Round Controllers::exchange(std::vector<hal::node::exchange::Event>
 }
 
 void Controllers::distribute(std::vector<hal::node::exchange::Event>& events) {
-  const bool is_one = ports_.size() == 1 && !ports_.front().dropped;
+  const bool is_one = ports_.size() == 1 && !ports_.front().dropped && !share_time_;
   if (is_one) {
     ports_.front().step.events.swap(events);  // and keeps the memory of the empty vector
     return;
   }
   for (hal::node::exchange::Event& event : events) {
     Connection& connection = ports_[port_of_[event.agent.value]];
-    if (!connection.dropped) connection.step.events.push_back(std::move(event));
+    if (connection.dropped) continue;
+    if (connection.courier) {
+      connection.courier->post(std::move(event));
+    } else {
+      connection.step.events.push_back(std::move(event));
+    }
   }
   events.clear();
+}
+
+/// Until it waits: an answer lets the next events go.
+void Controllers::attend(std::size_t port, Round& round) {
+  Connection& connection = ports_[port];
+  if (connection.dropped || !connection.courier) return;
+  auto& courier = *connection.courier;
+  for (bool goes_on = true; goes_on && (!courier.is_idle() || courier.has_waiting());) {
+    auto turn = courier.attend();
+    if (!turn) {
+      round.failures.push_back({port, turn.error()});
+      return;
+    }
+    exchanges_ += turn->replied ? 1 : 0;
+    for (auto& answer : turn->answers) {
+      round.answers.push_back({std::move(answer.action), answer.event_time});
+    }
+    goes_on = turn->replied || turn->began;
+  }
+}
+
+bool Controllers::is_one_awaited() const {
+  return share_time_ && std::ranges::any_of(ports_, [](const Connection& one) {
+           return one.courier && !one.dropped && !one.courier->is_idle();
+         });
+}
+
+std::vector<std::string> Controllers::complaints() const {
+  std::vector<std::string> lines;
+  for (const Connection& one : ports_) {
+    if (!one.courier || one.dropped) continue;
+    const std::string& name = one.port->name();
+    if (!one.courier->is_idle()) {
+      lines.push_back(
+          fmt::format("at the stop: process '{}' waits for simulated time, which is over", name));
+    }
+    const std::uint64_t missed = one.courier->losses().missed_cycles;
+    if (missed == 0) continue;
+    lines.push_back(fmt::format("process '{}' waited in its callbacks; control cycles missed: {}",
+                                name, missed));
+  }
+  return lines;
 }
 
 void Controllers::log_exchange(const Connection& connection,

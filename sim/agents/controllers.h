@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "hal/node/exchange/courier.h"
 #include "hal/node/exchange/ports.h"
 #include "hal/types/agent_id.h"
 
@@ -43,13 +45,21 @@ class Controllers {
   std::size_t port_of(hal::AgentId agent) const { return port_of_[agent.value]; }
 
   /// Passes the events to the ports of their agents, all at the same time, and waits for all
-  /// replies.
+  /// replies, except those of ports that share the simulated time: of these it takes what is there.
+  /// Events for one that has not answered yet wait.
   /// @param events  ordered by (time, agent, cause, arrival); emptied. @param until  no later event
   /// will be before this time.
   Round exchange(std::vector<hal::node::exchange::Event>& events, hal::Time until);
   Round exchange(std::vector<hal::node::exchange::Event>&& events, hal::Time until) {
     return exchange(events, until);
   }
+
+  /// Whether there are ports that share the simulated time.
+  bool share_time() const { return share_time_; }
+  /// Whether one of these has not answered yet.
+  bool is_one_awaited() const;
+  /// At the end of the run, for the log: which of these have not, and what they have missed.
+  std::vector<std::string> complaints() const;
 
   /// Removes a port: its agents receive no more events.
   void drop(std::size_t port);
@@ -66,15 +76,18 @@ class Controllers {
     hal::node::exchange::Step step;  ///< In progress, or empty.
     std::uint64_t sequence = 0;
     bool dropped = false;
+    std::optional<hal::node::exchange::Courier> courier;  ///< If it shares the simulated time.
   };
 
   void distribute(std::vector<hal::node::exchange::Event>& events);
   static void log_exchange(const Connection& connection, const hal::node::exchange::Reply& reply);
   void sort_out(Connection& connection, hal::node::exchange::Reply reply, Round& round);
+  void attend(std::size_t port, Round& round);
 
   std::vector<Connection> ports_;
   std::vector<std::size_t> port_of_;  ///< By address; kNone: not connected.
   std::uint64_t exchanges_ = 0;
+  bool share_time_ = false;
 };
 
 }  // namespace sim::agents

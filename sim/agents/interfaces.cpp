@@ -192,9 +192,18 @@ void Interfaces::repeat_arrivals(std::vector<OutsideArrival> arrivals) {
                    std::make_move_iterator(arrivals.end()));
 }
 
-/// One after the other, each among the events of its time where the turn was that sent it.
+void Interfaces::note_repeated(const std::string& door) {
+  const auto noted = std::ranges::find(repeated_, door, &OutsideArrival::door);
+  if (noted == repeated_.end()) return;
+  const bool was_awaited = noted == repeated_.begin();
+  repeated_.erase(noted);
+  if (was_awaited) schedule_repeated();
+}
+
+/// One after the other, each among the events of its time where the turn was that sent it: after
+/// the answer of a controller, which is exchanged between the events, only once that has come.
 void Interfaces::schedule_repeated() {
-  if (repeated_.empty()) return;
+  if (repeated_.empty() || !home_.outside.is_open(repeated_.front().door)) return;
   const hal::Time at = std::max(repeated_.front().at, home_.events.now());
   home_.events.schedule(at, Rank::kProgram, kWorld, [this] {
     const OutsideArrival arrival = std::move(repeated_.front());

@@ -59,6 +59,8 @@ class Interfaces final : public air::InterfaceListener {
   void arrive(const std::string& door, std::span<const std::uint8_t> bytes);
   /// In a repetition of a run in lock-step: what came from its programs, in this order.
   void repeat_arrivals(std::vector<OutsideArrival> arrivals);
+  /// In such a repetition: a controller's answer, which is one of them, has come.
+  void note_repeated(const std::string& door);
   /// Whether programs are connected, so that frames may come from them.
   bool is_connected() const { return source_ != nullptr; }
 

@@ -145,12 +145,14 @@ std::vector<Event>& Simulation::State::take_events() {
 
 void Simulation::State::exchange(hal::Time window_end) {
   std::vector<Event>& all = take_events();
-  if (all.empty()) return;
+  if (all.empty() && !controllers.is_one_awaited()) return;
   Controllers::Round round = controllers.exchange(all, window_end);
   on_failures(round.failures);
   for (Controllers::Answer& answer : round.answers) {
     if (error.empty()) take_effect(std::move(answer));
   }
+  // What controllers in the agents' networks have sent meanwhile.
+  if (controllers.share_time()) interfaces.serve_outsiders(events.now());
 }
 
 bool Simulation::State::is_of_dead(hal::AgentId agent, hal::Time event_time) const {
@@ -167,7 +169,8 @@ void Simulation::State::take_effect(Controllers::Answer answer) {
     apply(answer.action);
     return;
   }
-  const hal::Time at = answer.event_time + config.controller_latency;
+  // A controller that waits by simulated time may answer later than that.
+  const hal::Time at = std::max(answer.event_time + config.controller_latency, events.now());
   const hal::AgentId agent = answer.action.agent;
   const auto given = std::make_shared<Controllers::Answer>(std::move(answer));
   events.schedule(at, Rank::kAction, agent, [this, given] {
@@ -233,6 +236,8 @@ void Simulation::State::stop_controllers() {
   for (const Controllers::Failure& failure : round.failures) {
     hal::log::warning(events.now(), "run", "at the stop: {}", failure.error.message);
   }
+  for (const std::string& line : controllers.complaints())
+    hal::log::warning(events.now(), "run", "{}", line);
   for (const Controllers::Answer& answer : round.answers) apply_last(answer.action);
 }
 

@@ -131,6 +131,12 @@ void Simulation::connect_air(air::FrameSink& sink, air::HeldPrograms& programs) 
   state_->interfaces.connect(sink, programs);
 }
 
+hal::Time Simulation::now() const { return state_->events.now(); }
+
+void Simulation::stop_at(hal::Time at) {
+  state_->events.schedule(at, Rank::kProgram, kWorld, [] {});
+}
+
 void Simulation::arrive(const std::string& door, std::span<const std::uint8_t> bytes) {
   state_->interfaces.arrive(door, bytes);
 }
@@ -143,6 +149,7 @@ OutsideInput& Simulation::outside() { return state_->outside; }
 
 void Simulation::note_arrival(const std::string& name, std::vector<std::uint8_t> bytes) {
   state_->observers.on_arrival({state_->events.now(), name, std::move(bytes)});
+  state_->interfaces.note_repeated(name);
 }
 
 std::vector<hal::node::exchange::AgentOffer> Simulation::offers() const {

@@ -106,6 +106,12 @@ class Simulation final : public hal::node::exchange::AgentHost {
   /// The same for a run in lock-step, in which the programs go on when the run says so.
   void connect_air(air::FrameSink& sink, air::HeldPrograms& programs);
 
+  /// Simulated time: of the last event.
+  hal::Time now() const;
+  /// In lock-step: makes the run have an instant at this time, not before now(), after which
+  /// controllers whose answers take simulated time are asked for them.
+  void stop_at(hal::Time at);
+
   /// In lock-step: something comes from programs at this instant, through a door of outside().
   void arrive(const std::string& door, std::span<const std::uint8_t> bytes);
 

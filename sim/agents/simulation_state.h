@@ -40,7 +40,8 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   /// Last instant of the window that begins at `begin`.
   hal::Time last_instant(hal::Time begin) const {
     const auto window = config.controller_latency;
-    if (window == hal::Duration::zero()) return begin;
+    // A controller that waits by simulated time acts at the time of its events.
+    if (window == hal::Duration::zero() || controllers.share_time()) return begin;
     return std::min(begin + window - hal::Duration{1}, until.value_or(hal::Time::max()));
   }
   bool take_outside(hal::Time now);

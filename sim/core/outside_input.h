@@ -54,6 +54,9 @@ class OutsideInput {
   /// Opens a door. Call before the run. @pre there is no such door yet.
   void open(const std::string& door, Receiver receiver);
 
+  /// On the run's thread, during it.
+  bool is_open(std::string_view door) const { return doors_.contains(door); }
+
   /// Adds an input. Any thread. Ignored in a repetition. @pre the door is open.
   void put(std::string_view door, std::vector<std::uint8_t> bytes);
 

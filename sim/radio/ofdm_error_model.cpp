@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -61,16 +62,46 @@ double decoded_error(const Code& code, double channel_error) {
   return std::min(1.0, sum / (2 * code.inputs));
 }
 
+/// Probability of the decoder's first error event, per information bit.
+double bit_error(const Coding& coding, double sinr) {
+  const Constellation& c = coding.constellation;
+  return decoded_error(coding.code, c.weight * hal::math::erfc(std::sqrt(sinr / c.divisor)));
+}
+
+/// Results of bit_error(): between stations that stand still the same few ratios occur again and
+/// again.
+class BitErrors {
+ public:
+  double at(const Coding& coding, double sinr) {
+    Entry& entry = entries_[place_of(sinr)];
+    if (entry.coding != &coding || entry.sinr != sinr)
+      entry = {&coding, sinr, bit_error(coding, sinr)};
+    return entry.error;
+  }
+
+ private:
+  static constexpr int kBits = 10;
+  struct Entry {
+    const Coding* coding = nullptr;
+    double sinr = 0, error = 0;
+  };
+  static std::size_t place_of(double sinr) {
+    constexpr std::uint64_t kMix = 0x9e37'79b9'7f4a'7c15;
+    return std::bit_cast<std::uint64_t>(sinr) * kMix >> (64 - kBits);
+  }
+
+  std::array<Entry, std::size_t{1} << kBits> entries_{};
+};
+
 }  // namespace
 
 double ofdm_success_probability(double sinr, hal::BitsPerSecond rate, double bits) {
   if (bits <= 0) return 1;
   const auto* const found = std::ranges::find(kCodings, rate.value, &Coding::rate);
   BARAKA_CHECK(found != kCodings.end());
-  const Constellation& c = found->constellation;
-  const double channel = c.weight * hal::math::erfc(std::sqrt(sinr / c.divisor));
-  const double error = decoded_error(found->code, channel);
-  return error <= 0 ? 1 : hal::math::pow(1 - error, bits);
+  static thread_local BitErrors known;
+  const double right = 1 - known.at(*found, sinr);
+  return right >= 1 ? 1 : hal::math::pow(right, bits);
 }
 
 }  // namespace sim::radio

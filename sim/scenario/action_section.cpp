@@ -50,7 +50,7 @@ constexpr std::array<FortuneKey, 6> kFortunes{
 std::string objection(Fortune fortune, const AgentConfig& agent) {
   const bool is_power = fortune == Fortune::kSwitchOff || fortune == Fortune::kSwitchOn;
   if (is_power) return {};
-  if (agent.inside) return "has a controller inside its network, which goes on by the wall clock";
+  if (agent.inside) return "has a controller inside its network, whose other traffic would go on";
   if (agent.program == kTeleop) return "is teleoperated: there is no controller";
   const bool is_controllers = fortune == Fortune::kKill || fortune == Fortune::kRestart;
   if (is_controllers && agent.program.empty()) return "has no controller";

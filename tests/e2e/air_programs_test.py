@@ -388,7 +388,7 @@ class Runs(Air):
         self.assertIn("--max-speed: runs with networks keep real time", slower.err)
         self.assertLess(float(self.run_baraka(scenario, *REAL_TIME)["real_time_factor"]), 1.1)
 
-    def test_without_a_pace_they_are_held_unless_a_controller_is_inside(self):
+    def test_without_a_pace_they_are_held(self):
         agent = station("a", 0)
         self.run_baraka(self.scenario(agent, end="1 s"))
         self.assertEqual(self.query("SELECT value FROM run WHERE key = 'pace'"), [("lockstep",)])
@@ -396,6 +396,8 @@ class Runs(Air):
         self.assertLess(float(slow["real_time_factor"]), 2.1)
         inside = agent + "    controller: {program: traffic_sink, parameters: {topic: t}, inside: true}\n"
         self.run_baraka(self.scenario(inside, end="1 s"))
+        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'pace'"), [("lockstep",)])
+        self.run_baraka(self.scenario(inside, end="1 s"), *REAL_TIME)
         self.assertEqual(self.query("SELECT value FROM run WHERE key = 'pace'"), [("realtime",)])
 
     def test_too_late_is_said(self):

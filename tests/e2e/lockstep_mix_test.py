@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
 """Ten robots drive between walls and carry programs of all sorts, held in lock-step: equal runs have equal digests, alone and
-on a busy machine, with controllers in process and over DDS, as root and as another user.
+on a busy machine, with controllers in process, over DDS and inside their agents, as root and as another user.
 
     lockstep_mix_test.py                      three runs of each way
     BARAKA_MIX_RUNS=20 lockstep_mix_test.py   twenty, of the twenty seconds of the page"""
 import os
 import shutil
-import subprocess
-import sys
 import unittest
 
 import wire
 from baraka import BIN, ROOT, Case
+from lockstep_inside_test import BusyLoops
 
 REFUSED = wire.why_not()
 LOAD = BIN.parent / "tests/fastdds_load"
@@ -50,7 +49,14 @@ def programs():
     return [[*mine, ("babeld", ["babeld", "-I", "/run/babeld.pid", "-S", "/run/babel-state", "wlan0"])] for mine in own]
 
 
-def scenario(folder, seed):
+def controller(i, inside):
+    """Two of those inside speak DDS themselves, in a domain of their own."""
+    if inside and i in (2, 4):
+        return "{program: ros_base, inside: true, parameters: {domain: 1}}"
+    return f"{{program: wanderer, inside: {str(inside).lower()}, parameters: {{speed: 0.5 m/s}}}}"
+
+
+def scenario(folder, seed, inside):
     lines = ["version: 1", "name: mix", f"seed: {seed}", "routing: none", "record: {frames: none}", "world:", "  walls:"]
     lines += [f"    - {{name: {name}, size: [{dx} m, {dy} m, 1 m], position: [{x} m, {y} m], radio_loss: {{per_crossing: 8 dB}}}}"
               for name, dx, dy, x, y in WALLS]
@@ -58,7 +64,7 @@ def scenario(folder, seed):
     for i, mine in enumerate(programs()):
         lines += [f"  r{i}:", f"    name: r{i}", f"    robot: {{include: {ROOT}/config/robots/robertino.yaml}}",
                   f"    poses: [{{x: {-6 + 3 * (i % 5)} m, y: {-3 + 6 * (i // 5)} m, yaw: {37 * i} deg}}]",
-                  "    controller: {program: wanderer, parameters: {speed: 0.5 m/s}}", f"    network: {{address: 10.77.0.{i + 1}/16}}",
+                  f"    controller: {controller(i, inside)}", f"    network: {{address: 10.77.0.{i + 1}/16}}",
                   "    programs:"]
         for name, words in mine:
             quoted = ", ".join('"' + str(word).replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"' for word in words)
@@ -76,8 +82,8 @@ def missing():
 @unittest.skipIf(REFUSED, REFUSED)
 @unittest.skipIf(missing(), "not all programs are there")
 class Mix(Case):
-    def mix(self, *arguments, seed=1):
-        finished = self.run_baraka(scenario(self.folder, seed), "--no-inspect", *arguments, timeout=600)
+    def mix(self, *arguments, seed=1, inside=False):
+        finished = self.run_baraka(scenario(self.folder, seed, inside), "--no-inspect", *arguments, timeout=600)
         # babeld writes while it ends, which is after the run; ddsperf writes how much memory it has.
         logs = {log.name: [line for line in log.read_text(encoding="utf-8").splitlines() if " rss:" not in line]
                 for log in self.out.glob("r?.*.log") if "babeld" not in log.name}
@@ -94,14 +100,19 @@ class Mix(Case):
         self.check_programs(first[2])
         for _ in range(RUNS):
             self.assertEqual(self.mix(), first, "controllers over DDS")
-        loops = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(4)]
-        try:
+        with BusyLoops():
             for _ in range(RUNS):
                 self.assertEqual(self.mix(), first, "beside four busy loops")
-        finally:
-            for loop in loops:
-                loop.kill()
-                loop.wait()
+
+    def test_so_they_are_with_controllers_inside(self):
+        first = self.mix(inside=True)
+        self.check_programs(first[2])
+        self.assertEqual(self.query("SELECT DISTINCT program FROM agents ORDER BY 1"), [("ros_base",), ("wanderer",)])
+        for _ in range(RUNS):
+            self.assertEqual(self.mix(inside=True), first)
+        with BusyLoops():
+            for _ in range(RUNS):
+                self.assertEqual(self.mix(inside=True), first, "beside four busy loops")
 
     def test_another_seed_differs(self):
         self.assertNotEqual(self.mix(seed=1)[1], self.mix(seed=2)[1])

@@ -344,10 +344,6 @@ class Refused(Held):
         self.assertRegex(finished.err, r"held.yaml:\d+:\d+: command: .*still is statically linked, so lock-step cannot "
                                        r"hold it; run it in real time \(--pace realtime\)")
 
-    def test_controllers_inside_their_agents_need_real_time_still(self):
-        finished = self.run_held(ROOT / "config/scenarios/teleop_behind_a_wall.yaml", status=2)
-        self.assertRegex(finished.err, "--pace: lockstep: the controllers of .* run inside their agents")
-
     def unknown_wait(self, network, status=0):
         agents = {"a": [("lock", [PYTHON, "-c", UNKNOWN_WAIT], ", on_exit: end")]}
         return self.run_held(scenario(self.folder, agents, network=network), status=status)

@@ -97,9 +97,13 @@ class Run:
 
     def together(self):
         """How often a frame begins while one of another station is on the air."""
-        return self.one("SELECT count(*) FROM frames f JOIN frames g ON f.at_ns > g.at_ns AND "
-                        "f.at_ns < g.at_ns + g.airtime_ns AND f.transmitter <> g.transmitter "
-                        "WHERE f.class <> 'ack' AND g.class <> 'ack'")
+        count, on_air = 0, []
+        for at, airtime, who in self.query("SELECT at_ns, airtime_ns, transmitter FROM frames WHERE class <> 'ack' "
+                                           "ORDER BY at_ns"):
+            on_air = [(begin, end, other) for begin, end, other in on_air if at < end]
+            count += sum(begin < at and other != who for begin, _, other in on_air)
+            on_air.append((at, at + airtime, who))
+        return count
 
 
 class RadioKeys(Case):

@@ -20,6 +20,7 @@ PROGRAMS = {"PATH": f"{BIN.parent / 'tests'}:{os.environ['PATH']}"}  # ros_peer
 CYCLONE = "agents.operator={name: operator, station: {path: {line: {speed: 1.2 m/s, length: 22 m, pause: 60 s}}}, " \
           "poses: [{x: -13 m, y: 0 m}], network: {address: 10.77.0.1/16}, programs: [{name: commands, " \
           "command: [ros_peer, write, '0', Twist, rt/cmd_vel, '20', '0.5', '0', '0']}]}"
+REAL_TIME = ["--pace", "realtime"]
 RATE, PERIOD, TIMEOUT, SPEED = 20, 0.1, 0.5, 0.5  # 1/s, s, s, m/s: of the scenario
 
 
@@ -59,9 +60,15 @@ class TeleopBehindAWall(Case):
         return Drive(Run(pathlib.Path(self.out)))
 
     def test_the_robot_stops_where_the_wall_says_and_goes_on_behind_it(self):
-        finished = self.run_baraka(SCENARIO, "--set", CYCLONE, env=PROGRAMS)
+        self.check_shadow(self.run_baraka(SCENARIO, "--set", CYCLONE, env=PROGRAMS), late=0)
+
+    def test_so_it_does_in_real_time(self):
+        finished = self.run_baraka(SCENARIO, "--set", CYCLONE, *REAL_TIME, env=PROGRAMS)
+        self.check_shadow(finished, late=float(finished["control_jitter_max_s"]))
+
+    def check_shadow(self, finished, late):
+        """@param late  s, of control cycles."""
         self.assertEqual(finished["result"], "done")
-        late = float(finished["control_jitter_max_s"])
         drive = self.drive()
         first = drive.commands[0][0]
         lost, back = drive.shadow()
@@ -98,19 +105,21 @@ class TeleopBehindAWall(Case):
             self.assertLess(float(repeated["wall_s"]), 20)
 
     def test_the_shipped_operator_drives_it_from_nothing_but_what_is_installed(self):
-        self.run_baraka(SCENARIO, "--until", 8)
-        self.assertEqual([state for _, state in self.drive().states], ["waiting", "driving"])
-        told = dict(self.query("SELECT r.name, MAX(value) FROM recorded r JOIN agents a USING (agent) WHERE a.name = 'operator'"
-                               " GROUP BY 1"))
-        self.assertGreater(told["odometry"], 0)
-        self.assertLessEqual(len(self.drive().commands), told["commands"])
+        for pace in ([], REAL_TIME):
+            with self.subTest(pace):
+                self.run_baraka(SCENARIO, "--until", 8, *pace)
+                self.assertEqual([state for _, state in self.drive().states], ["waiting", "driving"])
+                told = dict(self.query("SELECT r.name, MAX(value) FROM recorded r JOIN agents a USING (agent) WHERE a.name = 'operator'"
+                                       " GROUP BY 1"))
+                self.assertGreater(told["odometry"], 0)
+                self.assertLessEqual(len(self.drive().commands), told["commands"])
 
     def test_without_the_wall_it_never_stops(self):
         self.run_baraka(SCENARIO, "--set", CYCLONE, "--set", "world.walls=[]", "--until", 25, env=PROGRAMS)
         self.assertEqual([state for _, state in self.drive().states], ["waiting", "driving"])
 
     def test_the_controller_sees_the_air_and_nothing_else_and_its_death_ends_the_run(self):
-        run = self.start(SCENARIO, "--set", CYCLONE, env=PROGRAMS)
+        run = self.start(SCENARIO, "--set", CYCLONE, *REAL_TIME, env=PROGRAMS)
         (controller,) = wait_for(lambda: descendants(run.process.pid, "ros_base"))
         self.assertNotEqual(os.readlink(f"/proc/{controller}/ns/net"),
                             os.readlink(f"/proc/{run.process.pid}/ns/net"))

@@ -49,6 +49,7 @@ class ScriptedPort final : public hal::node::exchange::ControllerPort {
     if (answers) --*answers;
     return std::move(reply_);
   }
+  bool shares_time() const override { return shares; }
   hal::Result<void> check_alive() override {
     if (dead) return hal::fail(hal::Errc::kNotConnected, "killed by signal 9");
     return {};
@@ -67,6 +68,7 @@ class ScriptedPort final : public hal::node::exchange::ControllerPort {
   /// That it gives before it is too busy for more, where nobody waits for it; none: any number.
   std::optional<int> answers;
   bool dead = false;
+  bool shares = false;  ///< The simulated time; to be set before it is connected.
 
  private:
   void note(const char* call) {

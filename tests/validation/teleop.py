@@ -1,5 +1,5 @@
-"""The closed form of config/scenarios/teleop_behind_a_wall.yaml, and the figure of its page. The run is in real time, so
-that no two figures are quite the same; it needs the right to make user namespaces."""
+"""The closed form of config/scenarios/teleop_behind_a_wall.yaml, and the figure of its page. It needs the right to make user
+namespaces."""
 import bisect
 import pathlib
 import subprocess

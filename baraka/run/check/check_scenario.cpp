@@ -18,9 +18,8 @@ CheckedScenario check_scenario(const std::filesystem::path& file,
   sim::scenario::Scenario& scenario = checked.scenario;
   ControllerFindings findings = check_controllers(scenario, mode);
   if (!mode.is_repeated) {
-    std::ranges::move(
-        unusable_programs(scenario, mode.time.value_or(program_time(default_pace(scenario)))),
-        std::back_inserter(findings.mistakes));
+    std::ranges::move(unusable_programs(scenario, mode.time.value_or(program_time(kDefaultPace))),
+                      std::back_inserter(findings.mistakes));
   }
   if (!findings.mistakes.empty()) {
     throw hal::files::config::ConfigErrors(std::move(findings.mistakes));

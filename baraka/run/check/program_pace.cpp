@@ -15,16 +15,6 @@ constexpr double kLeastFactor = 1e-3, kMostFactor = 1e5;
 
 }  // namespace
 
-const sim::scenario::Group* first_with_controllers_inside(const sim::scenario::Scenario& scenario) {
-  const auto inside = std::ranges::find_if(
-      scenario.groups, [](const sim::scenario::Group& group) { return group.inside; });
-  return inside == scenario.groups.end() ? nullptr : &*inside;
-}
-
-std::string default_pace(const sim::scenario::Scenario& scenario) {
-  return first_with_controllers_inside(scenario) == nullptr ? "lockstep" : "realtime";
-}
-
 std::optional<double> real_time_factor(const std::string& pace) {
   if (pace == "lockstep") return std::nullopt;
   if (pace == "realtime") return 1;

@@ -4,16 +4,11 @@
 #include <string>
 
 #include "programs/netns/program_time.h"
-#include "sim/scenario/scenario.h"
 
 namespace baraka::run::check {
 
-/// What a run does without `--pace`: "lockstep", but "realtime" with controllers inside their
-/// agents' networks, which lock-step cannot hold yet.
-std::string default_pace(const sim::scenario::Scenario& scenario);
-
-/// The first group of agents whose controllers run inside their networks; null: there is none.
-const sim::scenario::Group* first_with_controllers_inside(const sim::scenario::Scenario& scenario);
+/// What a run does without `--pace`.
+inline constexpr const char* kDefaultPace = "lockstep";
 
 /// The factor of a pace, simulated seconds per second; none: lock-step.
 /// @param pace  as for `--pace`. @throws UsageError  it is none.

@@ -99,11 +99,12 @@ T value_or_throw(hal::Result<T> result) {
 }  // namespace
 
 ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simulation& simulation,
-                                   const Settings& settings) {
+                                   const Settings& settings)
+    : simulation_(simulation) {
   std::vector<ProcessPlan> plans = sim::scenario::plan_processes(scenario);
   std::erase_if(plans,
                 [](const ProcessPlan& plan) { return plan.program == gateway::server::kTeleop; });
-  inside_.emplace(plans, scenario, simulation, settings.replies);
+  inside_.emplace(plans, scenario, simulation, settings.replies, settings.repeats_lockstep);
   if (settings.replies != nullptr) {
     std::erase_if(plans, [](const ProcessPlan& plan) { return plan.inside; });
   }
@@ -211,6 +212,7 @@ void ControllersOfRun::start_inside(const ProcessPlan& plan, std::vector<std::st
         fmt::format("{}: program: '{}' is to run inside its agent's network, and there is none",
                     plan.program_place, plan.program));
   }
+  if (settings.inside->holds()) return start_held(plan, std::move(arguments), settings);
   const gateway::domain::Invitation invitation = server_->invite();
   settings.inside->start(
       plan.agents.front(),
@@ -218,6 +220,24 @@ void ControllersOfRun::start_inside(const ProcessPlan& plan, std::vector<std::st
        .environment = {invitation.variable(), {"BARAKA_DOMAIN", std::to_string(server_->domain())}},
        .log = settings.logs / (plan.process + ".log"),
        .inherited = invitation.descriptors()});
+}
+
+/// What it is told is the same in all runs; the number of the domain, which it does not use, too.
+void ControllersOfRun::start_held(const ProcessPlan& plan, std::vector<std::string> arguments,
+                                  const Settings& settings) {
+  gateway::server::InsideStarter& starter = *settings.inside;
+  const hal::AgentId agent = plan.agents.front();
+  gateway::exchange::HeldLink& link =
+      server_->expect({.give =
+                           [&starter, agent, this](const auto& may_go_on) {
+                             starter.give_turns(agent, simulation_.now(), may_go_on);
+                           },
+                       .now = [this] { return simulation_.now(); }});
+  starter.start(agent, {.arguments = std::move(arguments),
+                        .environment = {link.variable(), {"BARAKA_DOMAIN", "0"}},
+                        .log = settings.logs / (plan.process + ".log"),
+                        .inherited = {link.controllers_end()}});
+  link.started();
 }
 
 std::vector<std::string> ControllersOfRun::finish(bool stopped, const std::filesystem::path& logs) {

@@ -32,6 +32,7 @@ class ControllersOfRun {
     /// In a repetition, the recorded answers of controllers inside networks, from take_replies().
     /// Null: this is not a repetition.
     const std::vector<sim::OutsideArrival>* replies = nullptr;
+    bool repeats_lockstep = false;  ///< The recorded run was in lock-step.
   };
 
   /// Connects every agent of the simulation to its controller, except those that are teleoperated.
@@ -64,10 +65,13 @@ class ControllersOfRun {
              const sim::scenario::Scenario& scenario, const Settings& settings);
   void start_inside(const sim::scenario::ProcessPlan& plan, std::vector<std::string> arguments,
                     const Settings& settings);
+  void start_held(const sim::scenario::ProcessPlan& plan, std::vector<std::string> arguments,
+                  const Settings& settings);
 
   /// Whether all started processes are running. Errors: as Spawner::check().
   hal::Result<void> check_started(const Settings& settings) const;
 
+  sim::agents::Simulation& simulation_;
   std::optional<InsideControllers> inside_;
   /// The simulation with only the agents whose controllers are served.
   std::unique_ptr<hal::node::exchange::AgentHost> served_;

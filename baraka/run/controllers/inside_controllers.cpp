@@ -21,9 +21,9 @@ using sim::OutsideArrival;
 constexpr std::string_view kRepliesOf = "controller of ";
 
 /// The recorded answers of one controller. @throws std::runtime_error  one is damaged
-std::deque<hal::node::exchange::Reply> replies_in(const std::vector<OutsideArrival>& recorded,
-                                                  const std::string& name) {
-  std::deque<hal::node::exchange::Reply> replies;
+std::deque<gateway::server::RecordedReply> replies_in(const std::vector<OutsideArrival>& recorded,
+                                                      const std::string& name) {
+  std::deque<gateway::server::RecordedReply> replies;
   for (const OutsideArrival& arrival : recorded) {
     if (arrival.door != name) continue;
     auto reply = gateway::exchange::reply_of(arrival.bytes);
@@ -31,7 +31,7 @@ std::deque<hal::node::exchange::Reply> replies_in(const std::vector<OutsideArriv
       throw std::runtime_error(fmt::format("the record: answer {} of the {}: {}",
                                            replies.size() + 1, name, reply.error().message));
     }
-    replies.push_back(std::move(*reply));
+    replies.push_back({arrival.at, std::move(*reply)});
   }
   return replies;
 }
@@ -43,12 +43,18 @@ gateway::server::ReplyRecord record_in(sim::agents::Simulation& simulation,
   };
 }
 
+gateway::server::RepeatedTime time_of(sim::agents::Simulation& simulation) {
+  return {.now = [&simulation] { return simulation.now(); },
+          .stop_at = [&simulation](hal::Time at) { simulation.stop_at(at); }};
+}
+
 }  // namespace
+
+bool is_reply(const OutsideArrival& arrival) { return arrival.door.starts_with(kRepliesOf); }
 
 std::vector<OutsideArrival> take_replies(std::vector<OutsideArrival>& arrivals) {
   const auto first = std::stable_partition(
-      arrivals.begin(), arrivals.end(),
-      [](const OutsideArrival& one) { return !one.door.starts_with(kRepliesOf); });
+      arrivals.begin(), arrivals.end(), [](const OutsideArrival& one) { return !is_reply(one); });
   std::vector<OutsideArrival> replies(std::make_move_iterator(first),
                                       std::make_move_iterator(arrivals.end()));
   arrivals.erase(first, arrivals.end());
@@ -58,7 +64,8 @@ std::vector<OutsideArrival> take_replies(std::vector<OutsideArrival>& arrivals) 
 InsideControllers::InsideControllers(const std::vector<sim::scenario::ProcessPlan>& plans,
                                      const sim::scenario::Scenario& scenario,
                                      sim::agents::Simulation& simulation,
-                                     const std::vector<OutsideArrival>* recorded)
+                                     const std::vector<OutsideArrival>* recorded,
+                                     bool was_in_lockstep)
     : simulation_(simulation) {
   for (const sim::scenario::ProcessPlan& plan : plans) {
     if (!plan.inside) continue;
@@ -72,7 +79,8 @@ InsideControllers::InsideControllers(const std::vector<sim::scenario::ProcessPla
         gateway::runtime::load_plugin(plan.program, gateway::runtime::controller_folders());
     if (!kind) throw std::runtime_error(kind.error().message);
     repeated_[agent] = {std::make_shared<gateway::server::RepeatedPort>(
-                            plan.process, replies_in(*recorded, name), record_in(simulation, name)),
+                            plan.process, replies_in(*recorded, name), record_in(simulation, name),
+                            was_in_lockstep ? std::optional(time_of(simulation)) : std::nullopt),
                         (*kind)->wants};
   }
 }

@@ -16,6 +16,9 @@ namespace baraka::run::controllers {
 /// Moves the answers of controllers inside their agents' networks out of the recorded arrivals.
 std::vector<sim::OutsideArrival> take_replies(std::vector<sim::OutsideArrival>& arrivals);
 
+/// Whether an arrival is such an answer.
+bool is_reply(const sim::OutsideArrival& arrival);
+
 /// The controllers of a run that are inside their agents' networks. They can communicate there with
 /// other programs, so their answers are recorded; a repetition replays these and starts none of the
 /// controllers.
@@ -24,11 +27,12 @@ class InsideControllers {
   /// @param plans  of all controller processes; those outside networks are ignored.
   /// @param simulation  must outlive this object.
   /// @param recorded  result of take_replies(); null: this is not a repetition.
+  /// @param was_in_lockstep  whether the recorded run was.
   /// @throws std::runtime_error  the record is damaged, or the plug-in that declares a controller's
   ///   requirements is missing.
   InsideControllers(const std::vector<sim::scenario::ProcessPlan>& plans,
                     const sim::scenario::Scenario& scenario, sim::agents::Simulation& simulation,
-                    const std::vector<sim::OutsideArrival>* recorded);
+                    const std::vector<sim::OutsideArrival>* recorded, bool was_in_lockstep);
 
   /// Whether the answers of an agent's controller come from a record.
   bool is_repeated(hal::AgentId agent) const { return repeated_.contains(agent); }

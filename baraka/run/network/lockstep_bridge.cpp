@@ -94,6 +94,12 @@ bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
   return goes_on;
 }
 
+bool LockstepBridge::settle(hal::AgentId agent, hal::Time now) {
+  AgentPrograms& one = of(agent);
+  one.waits.set_time(nanoseconds(now));
+  return one.waits.settle();
+}
+
 void LockstepBridge::find_changed(const std::function<void(hal::AgentId)>& found) {
   for (const auto& one : all_) {
     if (one->waits.changes() != one->seen) found(one->station.agent);

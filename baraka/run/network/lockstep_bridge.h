@@ -49,6 +49,9 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
   hal::AgentId start_next(hal::Time now) override { return programs_.start_next(now); }
   bool go_on(hal::AgentId agent, hal::Time now,
              const std::function<void(std::span<const std::uint8_t>)>& take) override;
+  /// Lets an agent's programs go on at this time until all wait. What they send is taken in their
+  /// next turn. @return false: the run is to be broken off.
+  bool settle(hal::AgentId agent, hal::Time now);
   void find_changed(const std::function<void(hal::AgentId)>& found) override;
   void find_due(const std::function<void(hal::AgentId, hal::Time)>& found) override;
   bool waits_for_room(hal::AgentId agent) const override;

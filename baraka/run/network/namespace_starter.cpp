@@ -14,13 +14,11 @@ namespace baraka::run::network {
 void NamespaceStarter::start(hal::AgentId agent, const gateway::server::InsideProgram& program) {
   const auto index = network_.index_of(agent);
   if (!index) throw std::runtime_error("a controller's agent has no network");
-  const std::uint32_t number = network_.namespaces()
-                                   .start(*index, {.arguments = program.arguments,
-                                                   .environment = program.environment,
-                                                   .log = program.log,
-                                                   .folder = {},
-                                                   .inherited = program.inherited})
-                                   .program;
+  const std::uint32_t number = network_.launch(agent, {.arguments = program.arguments,
+                                                       .environment = program.environment,
+                                                       .log = program.log,
+                                                       .folder = {},
+                                                       .inherited = program.inherited});
   const std::string name = std::filesystem::path(program.arguments.front()).filename().string();
   started_[{*index, number}] = {name, program.log};
 }

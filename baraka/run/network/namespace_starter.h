@@ -18,6 +18,11 @@ class NamespaceStarter final : public gateway::server::InsideStarter {
   explicit NamespaceStarter(NetworkOfRun& network) : network_(network) {}
 
   void start(hal::AgentId agent, const gateway::server::InsideProgram& program) override;
+  bool holds() const override { return network_.holds_programs(); }
+  void give_turns(hal::AgentId agent, hal::Time now,
+                  const std::function<bool()>& may_go_on) override {
+    network_.give_turns(agent, now, may_go_on);
+  }
   hal::Result<void> check() override;
 
  private:

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <poll.h>
-#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
@@ -11,6 +10,9 @@
 #include <utility>
 
 #include "baraka/run/network/neighbour_tables.h"
+#include "baraka/run/network/priority.h"
+#include "baraka/run/pace/interrupts.h"
+#include "gateway/process/waiting.h"
 #include "hal/types/log.h"
 #include "sim/scenario/plan.h"
 
@@ -35,21 +37,6 @@ double cpu_seconds() {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-/// Gives this thread a real-time priority, if the system permits: frames wait for it, and it needs
-/// little processor time. Child processes keep the normal priority.
-void go_before_others(bool before) {
-  sched_param parameters{};
-  parameters.sched_priority = before ? ::sched_get_priority_min(SCHED_RR) : 0;
-  (void)::sched_setscheduler(0, (before ? SCHED_RR : SCHED_OTHER) | SCHED_RESET_ON_FORK,
-                             &parameters);
-}
-
-/// A thread of a program that makes this one go on is about to wait. It does so first.
-void let_others_finish() {
-  const sched_param parameters{};
-  (void)::sched_setscheduler(0, SCHED_BATCH, &parameters);
 }
 
 programs::netns::Settings settings_of(const sim::scenario::Scenario& scenario,
@@ -101,13 +88,16 @@ NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario,
   if (time.is_held) use_of_processor_.emplace(processor_.emplace());
   namespaces_.emplace(settings);
   use_of_processor_.reset();
+  if (time.is_held) hold_programs();
   const std::string& why = namespaces_->why_only_user_0();
   if (why.empty()) return;
   fmt::print(stderr,
              "hint: programs have no user but 0, and those that change to another fail: {}\n", why);
 }
 
-NetworkOfRun::~NetworkOfRun() = default;
+NetworkOfRun::~NetworkOfRun() {
+  if (lockstep_ && namespaces_) lockstep_->let_go();
+}
 
 void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::RealTimeClock& clock) {
   simulation_ = &simulation;
@@ -131,7 +121,7 @@ void NetworkOfRun::note_begin(hal::Clock& wall) {
   programs_cpu_before_ = namespaces_->program_cpu_seconds();
 }
 
-LockstepBridge::Station NetworkOfRun::station(std::size_t i, pace::WallPace& pace) {
+LockstepBridge::Station NetworkOfRun::station(std::size_t i) {
   const std::string& name = names_[i];
   const auto& agents = scenario_.simulation.agents;
   const auto agent = std::ranges::find(agents, agents_[i], &sim::agents::AgentConfig::id);
@@ -143,14 +133,16 @@ LockstepBridge::Station NetworkOfRun::station(std::size_t i, pace::WallPace& pac
               .agent = name,
               .processes = namespaces_->processes(i),
               .allow_unknown = agent->network->unknown_waits == sim::air::UnknownWaits::kAllow,
-              .may_go_on = [&pace] { return !pace.is_broken_off(); },
+              .may_go_on = [this] { return !is_broken_off_() && (!may_go_on_ || may_go_on_()); },
               .warn = [](const std::string& what) { hal::log::warning({}, "run", "{}", what); }}};
 }
 
-void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& pace) {
-  simulation_ = &simulation;
+/// Controllers inside are held from their start on, which is before the run.
+void NetworkOfRun::hold_programs() {
+  is_broken_off_ = pace::interrupted;
   std::vector<LockstepBridge::Station> stations;
-  for (std::size_t i = 0; i < agents_.size(); ++i) stations.push_back(station(i, pace));
+  stations.reserve(agents_.size());
+  for (std::size_t i = 0; i < agents_.size(); ++i) stations.push_back(station(i));
   const auto start_next = [this](hal::Time now) {
     const hal::AgentId agent = *programs_.next_agent();
     programs_.start_next(now, results_());
@@ -168,7 +160,12 @@ void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& 
                                .on_ended = [this](hal::AgentId, hal::Time now,
                                                   std::size_t count) { await_ended(now, count); },
                                .has_tcp_timer = has_tcp_timer},
-      pace.clock());
+      gateway::process::wall_clock());
+}
+
+void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& pace) {
+  simulation_ = &simulation;
+  is_broken_off_ = [&pace] { return pace.is_broken_off(); };
   simulation.connect_air(*lockstep_, *lockstep_);
   use_of_processor_.emplace(*processor_);
   ::prctl(PR_SET_TIMERSLACK, kTimerSlack, 0, 0, 0);
@@ -178,6 +175,13 @@ void NetworkOfRun::connect(sim::agents::Simulation& simulation, pace::WallPace& 
 
 std::optional<hal::Duration> NetworkOfRun::hold(hal::Time next) {
   return lockstep_ ? lockstep_->hold(next) : std::nullopt;
+}
+
+void NetworkOfRun::give_turns(hal::AgentId agent, hal::Time now,
+                              const std::function<bool()>& may_go_on) {
+  may_go_on_ = may_go_on;
+  lockstep_->settle(agent, now);
+  may_go_on_ = nullptr;
 }
 
 /// The end of a process is seen before the namespaces tell of it.
@@ -230,9 +234,13 @@ std::uint32_t NetworkOfRun::start(const ProgramsOfRun::Start& start) {
     command.shown.emplace_back(sim::scenario::filled_in(path, words));
   }
   command.log = std::filesystem::absolute(start.folder / planned.log);
-  const std::size_t index = *index_of(planned.agent);
+  return launch(planned.agent, std::move(command));
+}
+
+std::uint32_t NetworkOfRun::launch(hal::AgentId agent, programs::netns::Command command) {
+  const std::size_t index = *index_of(agent);
   if (!lockstep_) return namespaces_->start(index, command).program;
-  programs::lockstep::AgentWaits& waits = lockstep_->waits(planned.agent);
+  programs::lockstep::AgentWaits& waits = lockstep_->waits(agent);
   command.slot = waits.reserve();
   try {
     const programs::netns::Started started = namespaces_->start(index, command);
@@ -272,6 +280,7 @@ NetworkSummary NetworkOfRun::finish() {
   }
   summary.programs = programs_.rows();
   use_of_processor_.reset();
+  is_broken_off_ = [] { return false; };  // of a pace that may be gone
   if (lockstep_) lockstep_->let_go();
   namespaces_.reset();
   return summary;

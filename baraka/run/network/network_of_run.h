@@ -76,6 +76,16 @@ class NetworkOfRun final : private pace::BackgroundWork {
   /// In lock-step: how long the run has to wait before it goes to `next`; none: it may go on.
   std::optional<hal::Duration> hold(hal::Time next);
 
+  /// Starts a program inside an agent, in lock-step held. Returns its number.
+  /// @pre the agent has a network. @throws std::runtime_error  as Namespaces::start().
+  std::uint32_t launch(hal::AgentId agent, programs::netns::Command command);
+
+  /// Whether programs are held in lock-step.
+  bool holds_programs() const { return lockstep_.has_value(); }
+  /// In lock-step, also before connect(): lets the programs of an agent go on at this simulated
+  /// time until all wait. @param may_go_on  asked now and then; once false, they do not any more.
+  void give_turns(hal::AgentId agent, hal::Time now, const std::function<bool()>& may_go_on);
+
   /// For starting other programs inside. @pre finish() has not been called.
   programs::netns::Namespaces& namespaces() { return *namespaces_; }
   /// Index of an agent among the namespaces; none: the agent has no network.
@@ -96,7 +106,8 @@ class NetworkOfRun final : private pace::BackgroundWork {
   std::uint32_t start(const ProgramsOfRun::Start& start);
   std::size_t take_ended(hal::Time now);
   void await_ended(hal::Time now, std::size_t count);
-  LockstepBridge::Station station(std::size_t i, pace::WallPace& pace);
+  LockstepBridge::Station station(std::size_t i);
+  void hold_programs();
   void note_begin(hal::Clock& wall);
   void sum_up(NetworkSummary& summary) const;
 
@@ -112,6 +123,8 @@ class NetworkOfRun final : private pace::BackgroundWork {
   hal::Clock* wall_ = nullptr;
   std::optional<TapBridge> bridge_;
   std::optional<LockstepBridge> lockstep_;  ///< In place of bridge_.
+  std::function<bool()> is_broken_off_;     ///< In lock-step: whether the run was interrupted.
+  std::function<bool()> may_go_on_;         ///< Of give_turns(), during it.
   hal::Time begun_at_{};                    ///< Wall time of the start.
   std::optional<std::uint64_t> overflows_before_;
   double cpu_before_ = 0, programs_cpu_before_ = 0;  ///< s

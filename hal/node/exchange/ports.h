@@ -35,6 +35,11 @@ class ControllerPort {
   /// whose answer is complete when begin() returns.
   virtual Result<std::optional<Reply>> try_finish() { return finish(); }
 
+  /// Whether simulated time passes while the process waits for something else than a Step, so that
+  /// the answer may come at a later simulated time. finish() is not called then, but try_finish()
+  /// after each instant.
+  virtual bool shares_time() const { return false; }
+
   /// For poll(): one is readable when try_finish() or check_alive() may have a result. Skip -1.
   /// Empty if the answer is complete when begin() returns.
   virtual std::vector<int> descriptors() const { return {}; }

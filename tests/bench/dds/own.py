@@ -34,14 +34,15 @@ class Program:
 
 @dataclasses.dataclass
 class Station:
-    """Of one host, at a place in metres."""
+    """Of one host, at a place in metres. kind: keys of an agent that say what it is."""
     name: str
     x: float
     y: float
     programs: list
+    kind: dict = dataclasses.field(default_factory=lambda: {"station": {}})
 
     def section(self):
-        return {"name": self.name, "station": {}, "poses": [{"x": f"{self.x} m", "y": f"{self.y} m"}],
+        return {"name": self.name, **self.kind, "poses": [{"x": f"{self.x} m", "y": f"{self.y} m"}],
                 "network": {}, "programs": [program.section() for program in self.programs]}
 
 

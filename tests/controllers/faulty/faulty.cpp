@@ -20,6 +20,11 @@ class Faulty : public hal::Controller {
   void step() override {
     if (is_due("throw_at")) throw std::runtime_error("the wheels have come off");
     if (is_due("hang_at")) std::this_thread::sleep_for(std::chrono::hours(1));
+    if (is_due("nap_at")) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(250));
+      robot_.state("awake");
+    }
+    while (is_due("spin_at")) count_ = count_ + 1;
     if (is_due("exit_at")) std::exit(0);
     if (is_due("leave_at")) ::_exit(0);
     if (is_due("quick_exit_at")) std::quick_exit(0);
@@ -79,6 +84,7 @@ class Faulty : public hal::Controller {
   hal::Robot& robot_;
   const hal::Parameters parameters_;
   volatile int* volatile nowhere_ = nullptr;
+  volatile unsigned count_ = 0;
 };
 
 BARAKA_CONTROLLER {
@@ -87,6 +93,8 @@ BARAKA_CONTROLLER {
           .wants = {},
           .parameters = {{"throw_at", "s", never, 0, never, "Throws."},
                          {"hang_at", "s", never, 0, never, "Does not return."},
+                         {"nap_at", "s", never, 0, never, "Sleeps for 0.25 s, says so."},
+                         {"spin_at", "s", never, 0, never, "Computes without end."},
                          {"exit_at", "s", never, 0, never, "Calls exit(0)."},
                          {"leave_at", "s", never, 0, never, "Calls _exit(0)."},
                          {"quick_exit_at", "s", never, 0, never, "Calls quick_exit(0)."},

@@ -62,7 +62,8 @@ TEST(RecordedPort, TellsOfEachAnswerOnce) {
 
 TEST(RepeatedPort, GivesTheAnswersOfTheRecordInTheirOrder) {
   int told = 0;
-  RepeatedPort port("robot", {reply_of(kRobot, 0, "first"), reply_of(kRobot, 0, "second")},
+  RepeatedPort port("robot",
+                    {{{}, reply_of(kRobot, 0, "first")}, {{}, reply_of(kRobot, 0, "second")}},
                     [&](const Reply&) { ++told; });
   for (const auto& [sequence, text] : {std::pair{1U, "first"}, std::pair{2U, "second"}}) {
     ASSERT_TRUE(port.begin(step_of(sequence)));
@@ -79,11 +80,35 @@ TEST(RepeatedPort, GivesTheAnswersOfTheRecordInTheirOrder) {
 
 TEST(RepeatedPort, DamageOfTheRecordIsAnError) {
   for (const auto& [agent, event] : {std::pair{kRobot, 1U}, std::pair{kOther, 0U}}) {
-    RepeatedPort port("robot", {reply_of(agent, event, "")}, [](const Reply&) {});
+    RepeatedPort port("robot", {{{}, reply_of(agent, event, "")}}, [](const Reply&) {});
     ASSERT_TRUE(port.begin(step_of(1)));
     EXPECT_EQ(port.finish().error().message,
               "an answer of 'robot' in the record is to another Step");
   }
+}
+
+TEST(RepeatedPort, InLockStepTheAnswerComesWhenTheRunGotIt) {
+  using namespace std::chrono_literals;
+  hal::Time now{1s};
+  std::vector<hal::Time> stops;
+  RepeatedPort port(
+      "robot",
+      {{hal::Time{1s}, reply_of(kRobot, 0, "at once")},
+       {hal::Time{3s}, reply_of(kRobot, 0, "late")}},
+      [](const Reply&) {},
+      RepeatedTime{.now = [&] { return now; },
+                   .stop_at = [&](hal::Time at) { stops.push_back(at); }});
+  EXPECT_TRUE(port.shares_time());
+  ASSERT_TRUE(port.begin(step_of(1)));
+  EXPECT_TRUE(port.try_finish()->has_value());
+  EXPECT_TRUE(stops.empty());
+  ASSERT_TRUE(port.begin(step_of(2)));
+  EXPECT_EQ(stops, std::vector{hal::Time{3s}});
+  EXPECT_FALSE(port.try_finish()->has_value());
+  now = hal::Time{3s};
+  const auto late = port.try_finish();
+  ASSERT_TRUE(late->has_value());
+  EXPECT_EQ(tests::text_of((*late)->actions[0]), "late");
 }
 
 }  // namespace
