@@ -191,20 +191,12 @@ std::vector<AgentConfig> populate(Fields& io, const Population& c, Group& group,
 /// Robots and motes without a network need a controller; stations receive and relay without one.
 void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const Body& body) {
   const bool is_networked = !agents.empty() && agents.front().network.has_value();
-<<<<<<< HEAD
-  const bool has_network = io.inside_given(
-      {"network",
-       "An interface `wlan0` for programs with sockets: their packets go through the agents' "
-       "simulated radios. Such a run is in lock-step, too, unless `--pace` says otherwise."},
-      is_networked, [&](Fields& network) { network_keys(network, agents); });
-=======
   const bool has_network =
       io.inside_given({"network",
                        "Network interface `wlan0` for programs with sockets: their packets go "
                        "through the agents' simulated radios. Such a run is in lock-step, unless "
-                       "`--pace` says otherwise or a controller has `inside: true`."},
+                       "`--pace` says otherwise."},
                       is_networked, [&](Fields& network) { network_keys(network, agents); });
->>>>>>> helper-house
   io.only(has_network, {"network", {"there"}}, "needs `network`, the interface that programs use",
           [&](Fields& networked) { programs_keys(networked, group); });
   const Key key{

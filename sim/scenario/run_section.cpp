@@ -74,14 +74,9 @@ void simulation_keys(Fields& io, Scenario& scenario) {
              "fail"},
             kDeaths, c.on_death);
   io.optional_duration({"reply_timeout",
-<<<<<<< HEAD
-                        "A controller that takes longer to answer, by the wall clock, counts as "
-                        "dead; none: it may take for ever, as under a debugger. Of one inside its "
-                        "agent, in lock-step: also one that waits longer by simulated time.",
-=======
                         "Real time that a controller may take to answer before it counts as dead; "
-                        "none: no limit, e.g. for a debugger.",
->>>>>>> helper-house
+                        "in lock-step, also the simulated time that one with `inside: true` may "
+                        "wait; none: no limit, e.g. for a debugger.",
                         "10 s"},
                        1e-3, scenario.reply_timeout);
   io.duration({"wait", "Longest real time to wait for the controllers before the start.", "30 s"},
