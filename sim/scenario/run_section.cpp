@@ -75,8 +75,8 @@ void simulation_keys(Fields& io, Scenario& scenario) {
             kDeaths, c.on_death);
   io.optional_duration({"reply_timeout",
                         "Real time that a controller may take to answer before it counts as dead; "
-                        "in lock-step, also the simulated time that one with `inside: true` may "
-                        "wait; none: no limit, e.g. for a debugger.",
+                        "for one inside its agent, in lock-step, also the simulated time. none: no "
+                        "limit, e.g. for a debugger.",
                         "10 s"},
                        1e-3, scenario.reply_timeout);
   io.duration({"wait", "Longest real time to wait for the controllers before the start.", "30 s"},
