@@ -99,12 +99,10 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
          "At most this many simulated seconds per second; changes nothing else; default: as "
          "fast as possible, with --view 1")
       ->transform(plain_number(kLeastSpeed, kMostSpeed));
-  CLI::Option* pace =
-      run->add_option("--pace", options.pace,
-                      "lockstep: wait for controllers, and hold programs; "
-                      "realtime[:F]: follow the wall clock, F times as fast, and "
-                      "never wait; default: lockstep, but realtime with controllers "
-                      "inside agents");
+  CLI::Option* pace = run->add_option("--pace", options.pace,
+                                      "lockstep: wait for controllers, and hold programs; "
+                                      "realtime[:F]: follow the wall clock, F times as fast, and "
+                                      "never wait; default: lockstep");
   CLI::Option* repeat =
       run->add_option(
              "--repeat", options.repeat,

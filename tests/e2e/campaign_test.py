@@ -191,7 +191,7 @@ class WhatIsRun(Campaigns):
                          "baraka export DIR --describe > docs/campaign_tables.md, if the change was meant")
         wrong = Program("baraka", "export", self.out, "frames").finish()
         self.assertEqual(wrong.status, 2)
-        self.assertIn("no table of a campaign", wrong.err)
+        self.assertIn("not a table of a campaign", wrong.err)
 
 
 class Shipped(Campaigns):

@@ -27,7 +27,7 @@ class Describe(unittest.TestCase):
     def test_observables_are_listed_with_their_units(self):
         text = describe("observables").out
         self.assertRegex(text, r"(?m)^  agents.AGENT.speed +m/s +true horizontal speed")
-        self.assertRegex(text, r"(?m)^  messages.delay.p95 +s +95 %")
+        self.assertRegex(text, r"(?m)^  messages.delay.p95 +s +95th percentile")
         self.assertIn("record.observables (scenario file)", text)
         self.assertRegex(describe("traffic_sink").out, r"(?m)^controllers.AGENT.goodput\n.*\n +unit: +bit/s$")
 

@@ -60,7 +60,7 @@ class RoutingProtocols(Case):
         program = Program("baraka", "report", self.out)
         self.addCleanup(program.clean_up)
         finished = program.finish()
-        self.assertIn("what routing did", finished.out)
+        self.assertIn("routing events, all agents", finished.out)
         self.assertIn("rreq sent", finished.out)
 
 
