@@ -73,6 +73,15 @@ class OwnTraffic(Case):
         self.assertEqual(digests(self.drive("--repeat", record)), digests(first))
         self.assertNotEqual(self.drive("--seed", 2)["frames_digest"], first["frames_digest"])
 
+    def test_packets_leave_at_the_time_of_the_event_that_is_handled(self):
+        self.drive()
+        ((phase,),) = self.query("SELECT MIN(at_ns) FROM arrivals WHERE door = 'controller of robot'")
+        answers = [at for (at,) in self.query("SELECT at_ns FROM arrivals WHERE door = 'controller of robot' ORDER BY at_ns")]
+        cycles = answers[:-1]  # the last is at the end of the run
+        self.assertEqual({(at - phase) % 100_000_000 for at in cycles}, {0}, "its control cycles")
+        sent = {at for (at,) in self.query("SELECT at_ns FROM arrivals WHERE door = 'air of robot'")}
+        self.assertGreater(len(sent & set(cycles)), 0.8 * len(set(cycles)), "odometry and transforms")
+
     def kill(self, after):
         """@param after  s, from when there is a controller."""
         mark = Mark()
