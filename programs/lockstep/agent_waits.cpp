@@ -309,24 +309,29 @@ bool AgentWaits::is_unsettled(std::uint32_t seen) {
   return true;
 }
 
-std::optional<std::size_t> AgentWaits::next_turn() {
+std::optional<std::size_t> AgentWaits::next_turn(Turns turns) {
   const auto wants = [this](std::size_t i) { return slot(i).state.load() == SlotState::kWants; };
   std::size_t first = charge_.slot().value_or(0);
   if (!wants(first)) {
     charge_.drop();
     for (first = 0; first < used() && !wants(first);) ++first;
   }
-  if (first == used() || !charge_.is_paid(first, page_.now.load())) return std::nullopt;
+  if (first == used()) return std::nullopt;
+  if (turns == Turns::kFree) {
+    charge_.drop();
+  } else if (!charge_.is_paid(first, page_.now.load())) {
+    return std::nullopt;
+  }
   return first;
 }
 
-bool AgentWaits::settle() {
+bool AgentWaits::settle(Turns turns) {
   running_since_ = wall_time();
   is_stirred_ = true;
   while (!is_broken_off()) {
     const std::uint32_t seen = page_.event.load();
     if (is_unsettled(seen)) continue;
-    if (const auto next = next_turn()) {
+    if (const auto next = next_turn(turns)) {
       grant(*next);
     } else if (page_.event.load() == seen && !looks_at_parked_) {
       return true;

@@ -34,6 +34,9 @@ class AgentWaits {
     std::function<void(const std::string&)> warn;
   };
 
+  /// Whether turns cost Settings::per_wake.
+  enum class Turns : std::uint8_t { kCharged, kFree };
+
   /// @param page  outlives this; no program has it yet.
   AgentWaits(netns::WaitPage& page, Settings settings);
 
@@ -55,7 +58,7 @@ class AgentWaits {
   /// for the processor.
   /// @return false: broken off. @throws std::runtime_error  a thread waits in an unknown call, or a
   ///   program did not load the library.
-  bool settle();
+  bool settle(Turns turns = Turns::kCharged);
 
   /// The earliest deadline; none: nothing is to come.
   std::optional<std::int64_t> deadline() const;
@@ -116,7 +119,7 @@ class AgentWaits {
   void release(std::size_t i);
   void release_timers(pid_t process);
   /// Whose turn is next; none: nobody's, or the processor is busy until deadline().
-  std::optional<std::size_t> next_turn();
+  std::optional<std::size_t> next_turn(Turns turns);
   void grant(std::size_t i);
   void see_all_asleep();
   void fire(std::size_t i);

@@ -82,6 +82,15 @@ class OwnTraffic(Case):
         sent = {at for (at,) in self.query("SELECT at_ns FROM arrivals WHERE door = 'air of robot'")}
         self.assertGreater(len(sent & set(cycles)), 0.8 * len(set(cycles)), "odometry and transforms")
 
+    def test_they_answer_where_turns_cost_time_too(self):
+        """Before the run and at its end no time passes."""
+        costly = ["--set", "agents.robot.network.cpu={per_wake: 20 us}"]
+        first = self.drive(*costly)
+        states = [state for (state,) in self.query("SELECT state FROM states JOIN agents USING (agent) WHERE name = 'robot'")]
+        self.assertEqual(states, ["waiting", "driving"])
+        self.assertNotIn("at the stop", (self.out / "run.log").read_text(encoding="utf-8"))
+        self.assertEqual(digests(self.drive(*costly)), digests(first))
+
     def kill(self, after):
         """@param after  s, from when there is a controller."""
         mark = Mark()

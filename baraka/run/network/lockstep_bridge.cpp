@@ -97,7 +97,7 @@ bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
 bool LockstepBridge::settle(hal::AgentId agent, hal::Time now) {
   AgentPrograms& one = of(agent);
   one.waits.set_time(nanoseconds(now));
-  return one.waits.settle();
+  return one.waits.settle(programs::lockstep::AgentWaits::Turns::kFree);
 }
 
 void LockstepBridge::find_changed(const std::function<void(hal::AgentId)>& found) {

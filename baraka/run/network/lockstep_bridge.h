@@ -49,7 +49,8 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
   hal::AgentId start_next(hal::Time now) override { return programs_.start_next(now); }
   bool go_on(hal::AgentId agent, hal::Time now,
              const std::function<void(std::span<const std::uint8_t>)>& take) override;
-  /// Lets an agent's programs go on at this time until all wait. What they send is taken in their
+  /// Lets an agent's programs go on at this time until all wait. Their turns cost nothing: before
+  /// the run and at its end simulated time does not pass. What they send is taken in their
   /// next turn. @return false: the run is to be broken off.
   bool settle(hal::AgentId agent, hal::Time now);
   void find_changed(const std::function<void(hal::AgentId)>& found) override;
