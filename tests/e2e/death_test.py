@@ -27,10 +27,8 @@ class Deaths(Case):
         except sqlite3.OperationalError:
             return False
 
-    def fails_naming(self, program, *what, within):
-        begin = time.monotonic()
+    def fails_naming(self, program, *what):
         finished = program.finish()
-        self.assertLess(time.monotonic() - begin, within)
         self.assertEqual(finished.status, 1, str(finished))
         self.assertEqual(finished["result"], "failed")
         error = next(line for line in finished.err.splitlines() if line.startswith("error: "))
@@ -39,16 +37,15 @@ class Deaths(Case):
         self.assertEqual(self.query("SELECT value FROM run WHERE key = 'result'"), [("failed",)])
         return finished
 
-    def test_a_killed_controller_ends_the_run_within_two_seconds(self):
+    def test_a_killed_controller_ends_the_run(self):
         program, _, robot = self.started()
         send(robot, "SIGKILL")
-        self.fails_naming(program, "robots", "killed by signal 9", r"\br0\b", r"at \d+\.\d+ s",
-                          within=2)
+        self.fails_naming(program, "robots", "killed by signal 9", r"\br0\b", r"at \d+\.\d+ s")
 
     def test_one_that_never_answers_ends_the_run_after_the_reply_timeout(self):
         program, mote, _ = self.started("--set", "reply_timeout=1 s")
         send(mote, "SIGSTOP")
-        self.fails_naming(program, "motes", r"\bm24\b", r"at \d+\.\d+ s", within=4)
+        self.fails_naming(program, "motes", r"\bm24\b", r"at \d+\.\d+ s", r"did not answer within 1 s")
 
     def test_one_that_is_stopped_and_continued_changes_nothing(self):
         until = ["--until", "40"]

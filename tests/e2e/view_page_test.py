@@ -208,7 +208,7 @@ class View(Case):
         press("f")  # asks for frames, and goes there when they have come
         self.assertEqual(wait_for(lambda: (t := self.browser.run("baraka.store.state.t")) != 100 * SECOND and t), following)
         self.assertTrue(press("?")["help"])
-        self.assertIn("next control cycle", self.browser.run("document.getElementById('keys').innerText"))
+        self.assertIn("next, previous control cycle", self.browser.run("document.getElementById('keys').innerText"))
         self.assertFalse(press("Escape")["help"])
         self.assertEqual(press("End")["t"], self.browser.run("baraka.source.end"))
 
