@@ -25,7 +25,7 @@ constexpr double kLeastFactorOfPrograms = 0.01;
 /// Programs that follow the wall clock cannot run faster than it.
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
-  const std::string pace = options.pace.empty() ? check::kDefaultPace : options.pace;
+  std::string pace = options.pace.empty() ? check::kDefaultPace : options.pace;
   if (!network::has_network(scenario)) return pace;
   const std::optional<double> factor = check::real_time_factor(pace);
   if (!factor) return pace;
