@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace results::record {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "results/record/radiotap.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace results::record {
 namespace {

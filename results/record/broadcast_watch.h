@@ -10,7 +10,7 @@
 #include "hal/types/message.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace results::record {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hal/types/verdict.h"
-#include "sim/radio/frame_class.h"
+#include "sim/radio/mac/frame_class.h"
 
 namespace results::record {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "sim/radio/frame_class.h"
+#include "sim/radio/mac/frame_class.h"
 
 namespace results::record {
 namespace {

@@ -10,7 +10,7 @@
 #include "results/record/packet_name.h"
 #include "sim/air/packet_text.h"
 #include "sim/core/fingerprint.h"
-#include "sim/radio/frame_class.h"
+#include "sim/radio/mac/frame_class.h"
 
 namespace results::record {
 namespace {

@@ -10,7 +10,7 @@
 #include "results/record/protocols.h"
 #include "results/record/schema.h"
 #include "results/record/topic_writer.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 #include "sim/scenario/detail.h"
 
 namespace results::record {

@@ -7,8 +7,8 @@
 #include "hal/types/time.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "sim/radio/frame.h"
-#include "sim/radio/frame_class.h"
+#include "sim/radio/mac/frame.h"
+#include "sim/radio/mac/frame_class.h"
 
 namespace results::record {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace results::record {
 

@@ -11,7 +11,7 @@
 #include "hal/node/devices/sensors.h"
 #include "hal/types/check.h"
 #include "sim/agents/quantities.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace results::record {
 

@@ -2,8 +2,8 @@
 
 #include "hal/node/routing/algorithm.h"
 #include "results/record/protocols.h"
-#include "sim/radio/frame.h"
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/frame.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace results::record {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/radio/codec.h"
+#include "sim/radio/mac/codec.h"
 
 namespace results::record {
 namespace {

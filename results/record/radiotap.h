@@ -5,7 +5,7 @@
 
 #include "hal/types/message.h"
 #include "hal/types/time.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace results::record {
 

@@ -13,7 +13,7 @@
 #include "results/record/hexadecimal.h"
 #include "sim/agents/air_door.h"
 #include "sim/air/packet_text.h"
-#include "sim/radio/mac_address.h"
+#include "sim/radio/mac/mac_address.h"
 
 namespace results::record {
 namespace {

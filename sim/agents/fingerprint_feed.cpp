@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace sim::agents {
 namespace {

@@ -1,6 +1,6 @@
 #include "sim/agents/frame_digest.h"
 
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace sim::agents {
 namespace {

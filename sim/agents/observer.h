@@ -12,7 +12,7 @@
 #include "sim/air/refusal.h"
 #include "sim/core/outside_input.h"
 #include "sim/physics/world.h"
-#include "sim/radio/observer.h"
+#include "sim/radio/mac/observer.h"
 
 namespace sim::agents {
 

@@ -9,7 +9,7 @@
 #include "hal/types/math.h"
 #include "sim/agents/simulated_mote.h"
 #include "sim/agents/simulated_robot.h"
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace sim::agents {
 namespace {

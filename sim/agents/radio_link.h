@@ -3,7 +3,7 @@
 #include "hal/node/agent/ports.h"
 #include "hal/node/routing/router.h"
 #include "sim/agents/simulation_config.h"
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace sim::agents {
 

@@ -12,7 +12,7 @@
 #include "sim/agents/supply.h"
 #include "sim/agents/surroundings.h"
 #include "sim/core/event_queue.h"
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace sim::agents {
 

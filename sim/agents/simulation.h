@@ -19,7 +19,7 @@
 #include "sim/air/frame_source.h"
 #include "sim/air/held_programs.h"
 #include "sim/core/outside_input.h"
-#include "sim/radio/radio_use.h"
+#include "sim/radio/phy/radio_use.h"
 
 namespace sim::agents {
 

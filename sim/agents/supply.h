@@ -6,7 +6,7 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/core/event_queue.h"
-#include "sim/radio/radio_use.h"
+#include "sim/radio/phy/radio_use.h"
 
 namespace sim::agents {
 

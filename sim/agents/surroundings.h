@@ -11,7 +11,7 @@
 #include "sim/core/event_queue.h"
 #include "sim/core/ground.h"
 #include "sim/physics/world.h"
-#include "sim/radio/ports.h"
+#include "sim/radio/channel/ports.h"
 #include "sim/sensing/proximity.h"
 #include "sim/sensing/relative_localisation.h"
 

@@ -7,7 +7,7 @@
 #include "sim/core/cell_grid.h"
 #include "sim/core/obstacle_loss.h"
 #include "sim/physics/world.h"
-#include "sim/radio/ports.h"
+#include "sim/radio/channel/ports.h"
 #include "sim/sensing/line_of_sight.h"
 
 namespace sim::agents {

@@ -4,7 +4,7 @@
 
 #include "hal/rtps/submessage.h"
 #include "sim/air/ip_packet.h"
-#include "sim/radio/mac_header.h"
+#include "sim/radio/mac/mac_header.h"
 
 namespace sim::air {
 namespace {

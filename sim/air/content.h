@@ -9,7 +9,7 @@
 #include "hal/types/time.h"
 #include "sim/air/datagram.h"
 #include "sim/air/rtps_reader.h"
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace sim::air {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace sim::air {
 

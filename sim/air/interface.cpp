@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "sim/radio/mac_address.h"
+#include "sim/radio/mac/mac_address.h"
 
 namespace sim::air {
 namespace {

@@ -7,7 +7,7 @@
 #include "hal/types/agent_id.h"
 #include "sim/air/ethertypes.h"
 #include "sim/air/refusal.h"
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace sim::air {
 

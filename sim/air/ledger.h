@@ -11,8 +11,8 @@
 #include "sim/air/content.h"
 #include "sim/air/endpoints.h"
 #include "sim/air/samples.h"
-#include "sim/radio/frame.h"
-#include "sim/radio/observer.h"
+#include "sim/radio/mac/frame.h"
+#include "sim/radio/mac/observer.h"
 
 namespace sim::air {
 

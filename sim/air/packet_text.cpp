@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "sim/air/air_kind.h"
-#include "sim/radio/mac_address.h"
+#include "sim/radio/mac/mac_address.h"
 
 namespace sim::air {
 namespace {

@@ -12,11 +12,11 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/core/obstacle_loss.h"
-#include "sim/radio/bss_config.h"
-#include "sim/radio/channel_number.h"
-#include "sim/radio/loss_config.h"
-#include "sim/radio/path_loss_config.h"
-#include "sim/radio/rate_control_config.h"
+#include "sim/radio/channel/channel_number.h"
+#include "sim/radio/channel/loss_config.h"
+#include "sim/radio/channel/path_loss_config.h"
+#include "sim/radio/infrastructure/bss_config.h"
+#include "sim/radio/rate/rate_control_config.h"
 #include "sim/radio/station_config.h"
 
 namespace sim::radio {

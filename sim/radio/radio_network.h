@@ -9,10 +9,10 @@
 #include "hal/types/agent_id.h"
 #include "sim/core/event_queue.h"
 #include "sim/core/ground.h"
-#include "sim/radio/burst.h"
-#include "sim/radio/mac_sap.h"
-#include "sim/radio/observer.h"
-#include "sim/radio/ports.h"
+#include "sim/radio/channel/burst.h"
+#include "sim/radio/channel/ports.h"
+#include "sim/radio/mac/mac_sap.h"
+#include "sim/radio/mac/observer.h"
 #include "sim/radio/radio_config.h"
 
 namespace sim::radio {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "sim/radio/mode_set.h"
+#include "sim/radio/phy/mode_set.h"
+#include "sim/radio/phy/reception.h"
 #include "sim/radio/radio_config.h"
-#include "sim/radio/reception.h"
 
 namespace sim::radio {
 

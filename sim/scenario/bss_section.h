@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hal/files/config/mapping.h"
-#include "sim/radio/bss_config.h"
+#include "sim/radio/infrastructure/bss_config.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/scenario.h"
 

@@ -6,7 +6,7 @@
 
 #include "hal/node/routing/possible_events.h"
 #include "hal/types/verdict.h"
-#include "sim/radio/frame_class.h"
+#include "sim/radio/mac/frame_class.h"
 #include "sim/radio/possible_verdicts.h"
 
 namespace sim::scenario {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/radio/loss_config.h"
+#include "sim/radio/channel/loss_config.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/scenario.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/radio/path_loss_config.h"
+#include "sim/radio/channel/path_loss_config.h"
 #include "sim/scenario/fields.h"
 
 namespace sim::scenario {

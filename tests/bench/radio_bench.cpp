@@ -35,7 +35,7 @@
 
 #include "hal/types/math.h"
 #include "sim/core/event_queue.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 #include "sim/radio/radio_network.h"
 
 namespace {

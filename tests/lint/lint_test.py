@@ -81,7 +81,7 @@ class IncludeRules(unittest.TestCase):
         self.assertIn("a -> b -> c -> a", list(include_rules.circles({"a": ["b"], "b": ["c"], "c": ["a"]}))[0])
 
     def test_allowed_includes_pass(self):
-        self.check("sim/agents/x.cpp", '#include "sim/radio/mac_sap.h"', "")
+        self.check("sim/agents/x.cpp", '#include "sim/radio/mac/mac_sap.h"', "")
 
 
 class House(unittest.TestCase):

@@ -14,14 +14,14 @@
 #include <sstream>
 #include <string>
 
-#include "sim/radio/error_model.h"
-#include "sim/radio/log_distance.h"
-#include "sim/radio/nakagami.h"
-#include "sim/radio/ofdm_error_model.h"
-#include "sim/radio/rayleigh.h"
-#include "sim/radio/rician.h"
-#include "sim/radio/shadowing.h"
-#include "sim/radio/two_ray_ground.h"
+#include "sim/radio/channel/log_distance.h"
+#include "sim/radio/channel/nakagami.h"
+#include "sim/radio/channel/rayleigh.h"
+#include "sim/radio/channel/rician.h"
+#include "sim/radio/channel/shadowing.h"
+#include "sim/radio/channel/two_ray_ground.h"
+#include "sim/radio/phy/error_model.h"
+#include "sim/radio/phy/ofdm_error_model.h"
 
 namespace {
 

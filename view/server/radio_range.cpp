@@ -4,7 +4,7 @@
 #include <limits>
 #include <variant>
 
-#include "sim/radio/propagation.h"
+#include "sim/radio/channel/propagation.h"
 
 namespace view::server {
 namespace {

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "hal/types/overloaded.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace baraka::run::live {
 namespace {

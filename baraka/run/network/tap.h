@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 
 namespace baraka::run::network {
 

@@ -8,7 +8,7 @@
 #include "hal/node/devices/channels.h"
 #include "hal/types/check.h"
 #include "sim/air/air_summary.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace baraka::run::topics {
 namespace {

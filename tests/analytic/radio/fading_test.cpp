@@ -1,4 +1,4 @@
-#include "sim/radio/fading.h"
+#include "sim/radio/channel/fading.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
-#include "sim/radio/nakagami.h"
-#include "sim/radio/rayleigh.h"
-#include "sim/radio/rician.h"
+#include "sim/radio/channel/nakagami.h"
+#include "sim/radio/channel/rayleigh.h"
+#include "sim/radio/channel/rician.h"
 
 namespace sim::radio::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hal/types/math.h"
-#include "sim/radio/propagation.h"
+#include "sim/radio/channel/propagation.h"
 #include "tests/analytic/radio/peer.h"
 #include "tests/unit/sim/radio/air.h"
 

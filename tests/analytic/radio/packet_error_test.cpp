@@ -7,8 +7,8 @@
 #include <string>
 
 #include "hal/types/math.h"
-#include "sim/radio/error_model.h"
-#include "sim/radio/ofdm_error_model.h"
+#include "sim/radio/phy/error_model.h"
+#include "sim/radio/phy/ofdm_error_model.h"
 
 namespace sim::radio::test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "sim/radio/log_distance.h"
-#include "sim/radio/two_ray_ground.h"
+#include "sim/radio/channel/log_distance.h"
+#include "sim/radio/channel/two_ray_ground.h"
 #include "tests/support/slope.h"
 
 namespace sim::radio::test {

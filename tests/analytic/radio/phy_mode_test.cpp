@@ -1,10 +1,10 @@
-#include "sim/radio/phy_mode.h"
+#include "sim/radio/phy/phy_mode.h"
 
 #include <gtest/gtest.h>
 
-#include "sim/radio/dcf_timing.h"
-#include "sim/radio/frame_lengths.h"
-#include "sim/radio/mode_set.h"
+#include "sim/radio/mac/dcf_timing.h"
+#include "sim/radio/mac/frame_lengths.h"
+#include "sim/radio/phy/mode_set.h"
 
 namespace sim::radio::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/radio/shadowing.h"
+#include "sim/radio/channel/shadowing.h"
 
 #include <gtest/gtest.h>
 

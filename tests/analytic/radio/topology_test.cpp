@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "sim/radio/propagation.h"
+#include "sim/radio/channel/propagation.h"
 #include "tests/unit/sim/radio/air.h"
 
 namespace sim::radio::test {

@@ -9,9 +9,9 @@
 
 #include "hal/node/routing/byte_order.h"
 #include "hal/node/routing/protocol.h"
-#include "sim/radio/mac_parts.h"
-#include "sim/radio/mobility_framework_mac.h"
-#include "sim/radio/path_loss.h"
+#include "sim/radio/channel/path_loss.h"
+#include "sim/radio/mac/mac_parts.h"
+#include "sim/radio/mac/mobility_framework_mac.h"
 #include "sim/radio/radio_config.h"
 
 /// What docs/extending.md says how to add, from outside the simulator: a law of propagation, a

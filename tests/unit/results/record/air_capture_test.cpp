@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "results/record/radiotap.h"
-#include "sim/radio/codec.h"
+#include "sim/radio/mac/codec.h"
 #include "tests/unit/results/record/test_run.h"
 
 namespace results::record::test {

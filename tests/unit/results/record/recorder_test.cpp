@@ -8,7 +8,7 @@
 
 #include "hal/node/routing/packet.h"
 #include "results/record/body_log.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 #include "tests/unit/results/record/test_run.h"
 
 namespace results::record::test {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/mac_sap.h"
 #include "tests/unit/results/record/test_run.h"
 
 namespace results::record {

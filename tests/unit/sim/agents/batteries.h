@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hal/node/devices/channels.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 #include "tests/unit/sim/agents/two_motes.h"
 
 namespace tests {

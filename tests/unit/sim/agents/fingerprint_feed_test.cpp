@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace {
 

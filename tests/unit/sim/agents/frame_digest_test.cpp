@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sim/agents/observer.h"
-#include "sim/radio/frame.h"
-#include "sim/radio/mac_sap.h"
+#include "sim/radio/mac/frame.h"
+#include "sim/radio/mac/mac_sap.h"
 
 /// For each callback of an Observer one that overrides it alone, and notes its calls.
 namespace tests {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/core/event_queue.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 #include "sim/radio/radio_network.h"
 
 namespace sim::radio::test {

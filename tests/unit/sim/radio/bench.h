@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "sim/radio/channel.h"
-#include "sim/radio/frame_factory.h"
-#include "sim/radio/neighbourhood.h"
-#include "sim/radio/propagation.h"
-#include "sim/radio/radio.h"
-#include "sim/radio/reception.h"
+#include "sim/radio/channel/channel.h"
+#include "sim/radio/channel/neighbourhood.h"
+#include "sim/radio/channel/propagation.h"
+#include "sim/radio/mac/frame_factory.h"
+#include "sim/radio/phy/radio.h"
+#include "sim/radio/phy/reception.h"
 #include "tests/unit/sim/radio/air.h"
 
 namespace sim::radio::test {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/radio/management.h"
+#include "sim/radio/infrastructure/management.h"
 #include "tests/unit/sim/radio/dcf.h"
 
 namespace sim::radio::test {

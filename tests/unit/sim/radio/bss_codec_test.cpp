@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "sim/radio/codec.h"
-#include "sim/radio/management.h"
+#include "sim/radio/infrastructure/management.h"
+#include "sim/radio/mac/codec.h"
 
 namespace sim::radio::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/radio/codec.h"
+#include "sim/radio/mac/codec.h"
 
 #include <gtest/gtest.h>
 

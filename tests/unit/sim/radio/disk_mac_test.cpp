@@ -1,4 +1,4 @@
-#include "sim/radio/disk_mac.h"
+#include "sim/radio/mac/disk_mac.h"
 
 #include <gtest/gtest.h>
 

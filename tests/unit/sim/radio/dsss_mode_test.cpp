@@ -1,4 +1,4 @@
-#include "sim/radio/dsss_mode.h"
+#include "sim/radio/phy/dsss_mode.h"
 
 #include <gtest/gtest.h>
 

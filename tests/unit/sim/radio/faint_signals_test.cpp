@@ -1,4 +1,4 @@
-#include "sim/radio/faint_signals.h"
+#include "sim/radio/channel/faint_signals.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/radio/path_losses.h"
+#include "sim/radio/channel/path_losses.h"
 
 namespace sim::radio::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/radio/neighbourhood.h"
+#include "sim/radio/channel/neighbourhood.h"
 
 #include <gtest/gtest.h>
 

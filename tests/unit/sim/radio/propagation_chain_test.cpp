@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "hal/types/random.h"
-#include "sim/radio/neighbourhood.h"
-#include "sim/radio/propagation.h"
+#include "sim/radio/channel/neighbourhood.h"
+#include "sim/radio/channel/propagation.h"
 #include "sim/radio/radio_rules.h"
 #include "tests/support/slope.h"
 #include "tests/unit/sim/radio/air.h"

@@ -1,4 +1,4 @@
-#include "sim/radio/radio.h"
+#include "sim/radio/phy/radio.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/radio/radio_use.h"
+#include "sim/radio/phy/radio_use.h"
 
 #include <gtest/gtest.h>
 

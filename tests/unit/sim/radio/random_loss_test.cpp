@@ -1,4 +1,4 @@
-#include "sim/radio/random_loss.h"
+#include "sim/radio/channel/random_loss.h"
 
 #include <gtest/gtest.h>
 

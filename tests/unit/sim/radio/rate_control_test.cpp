@@ -1,4 +1,4 @@
-#include "sim/radio/rate_control.h"
+#include "sim/radio/rate/rate_control.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "sim/radio/aarf.h"
-#include "sim/radio/minstrel.h"
+#include "sim/radio/rate/aarf.h"
+#include "sim/radio/rate/minstrel.h"
 
 namespace sim::radio::test {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/radio/heard_access_points.h"
+#include "sim/radio/infrastructure/heard_access_points.h"
 #include "tests/unit/sim/radio/bss.h"
 
 namespace sim::radio::test {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "sim/radio/codec.h"
+#include "sim/radio/mac/codec.h"
 #include "tests/support/output_of.h"
 #include "tests/unit/sim/radio/bss.h"
 

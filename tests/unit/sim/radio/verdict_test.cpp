@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "hal/types/random.h"
-#include "sim/radio/propagation.h"
+#include "sim/radio/channel/propagation.h"
 #include "tests/unit/sim/radio/air.h"
 
 namespace sim::radio::test {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "results/record/recorder.h"
-#include "sim/radio/frame.h"
+#include "sim/radio/mac/frame.h"
 #include "tests/unit/results/record/test_run.h"
 #include "view/server/run.h"
 

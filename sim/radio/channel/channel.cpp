@@ -1,0 +1,216 @@
+#include "sim/radio/channel/channel.h"
+
+#include <limits>
+#include <utility>
+
+#include "sim/radio/phy/radio.h"
+
+namespace sim::radio {
+
+Channel::Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
+                 const WavesConfig& config)
+    : events_(events),
+      neighbourhood_(neighbourhood),
+      observer_(observer),
+      delays_(config.propagation.propagation_delay),
+      preamble_window_(config.receiver.preamble_window) {}
+
+Channel::~Channel() = default;
+
+void Channel::add(Radio& radio) {
+  radios_.push_back(&radio);
+  faint_.emplace_back(radio.energy_detection());
+  current_.emplace_back();
+}
+
+void Channel::transmit(Radio& from, const FramePtr& frame) {
+  observer_.on_frame_start(events_.now(), *frame);
+  Transmission& transmission = transmissions_.claim();
+  transmission.frame = frame;
+  transmission.from = &from;
+  transmission.start = events_.now();
+  transmission.after_arrival = {hal::Duration{}, preamble_window_, frame->airtime};
+  const Links& links = neighbourhood_.links_from(from.index());
+  transmission.receivers.reserve(links.audible.size());
+  for (const std::uint32_t one : links.by_arrival) {
+    const AudibleLink& link = links.audible[one];
+    transmission.receivers.push_back(
+        {.radio = radios_[link.receiver], .index = link.receiver, .arrival = link.arrival});
+  }
+  current_[from.index()] = &transmission;
+  transmissions_.add_use(transmission);
+  start_faint(*frame, from.index(), links.faint);
+  if (delays_) {
+    start_one_by_one(transmission);
+  } else {
+    start_everywhere(transmission);
+  }
+  transmission.end = events_.schedule(events_.now() + frame->airtime, Rank::kRadio, from.agent(),
+                                      [this, &transmission] { finish(transmission); });
+}
+
+void Channel::start_faint(const Frame& frame, StationIndex from,
+                          const std::vector<FaintLink>& links) {
+  if (links.empty()) return;
+  observer_.on_faint(frame, static_cast<std::uint32_t>(links.size()));
+  const hal::Time now = events_.now();
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    prefetch_faint(links, i);
+    const FaintLink& link = links[i];
+    const bool alarms =
+        faint_[link.receiver].add(from, now, hal::Duration{link.delay}, frame.airtime, link.power);
+    if (alarms) radios_[link.receiver]->watch_energy();
+  }
+}
+
+/// Prefetches for the links ahead: first the FaintSignals, later the memory to which they point.
+void Channel::prefetch_faint(const std::vector<FaintLink>& links, std::size_t now) const {
+  constexpr std::size_t kFirst = 24, kSecond = 12;
+  if (now + kFirst < links.size()) __builtin_prefetch(&faint_[links[now + kFirst].receiver], 1);
+  if (now + kSecond < links.size()) faint_[links[now + kSecond].receiver].prefetch();
+}
+
+void Channel::start_everywhere(Transmission& transmission) {
+  bool window_opened = false;
+  for (const auto& receiver : transmission.receivers) {
+    window_opened |= receiver.radio->begin_signal(*transmission.frame, receiver.arrival);
+  }
+  if (!window_opened) return;
+  transmissions_.add_use(transmission);
+  events_.schedule(events_.now() + preamble_window_, Rank::kRadio, transmission.from->agent(),
+                   [this, &transmission] {
+                     for (const auto& receiver : transmission.receivers) {
+                       receiver.radio->close_preamble_window();
+                     }
+                     transmissions_.drop_use(transmission);
+                   });
+}
+
+EventQueue::Place Channel::place_for(const Radio& radio) {
+  return events_.reserve(Rank::kRadio, radio.agent());
+}
+
+void Channel::start_one_by_one(Transmission& transmission) {
+  for (auto& receiver : transmission.receivers) {
+    receiver.places[static_cast<std::size_t>(Phase::kArrival)] = place_for(*receiver.radio);
+  }
+  if (transmission.receivers.empty()) return;
+  transmissions_.add_use(transmission);
+  schedule(transmission, Phase::kArrival);
+}
+
+/// Reserves the place of a receiver's event in this phase. @pre receivers are passed in order of
+/// time.
+void Channel::follow(Transmission& transmission, Phase phase, std::size_t index) {
+  auto& receiver = transmission.receivers[index];
+  receiver.places[static_cast<std::size_t>(phase)] = place_for(*receiver.radio);
+  auto& series = transmission.series[static_cast<std::size_t>(phase)];
+  if (series.is_pending) return;
+  series.next = index;
+  transmissions_.add_use(transmission);
+  schedule(transmission, phase);
+}
+
+void Channel::schedule(Transmission& transmission, Phase phase) {
+  auto& series = transmission.series[static_cast<std::size_t>(phase)];
+  const auto& receiver = transmission.receivers[series.next];
+  series.is_pending = true;
+  events_.schedule(transmission.due(phase, receiver),
+                   receiver.places[static_cast<std::size_t>(phase)],
+                   [this, &transmission, phase] { work_off(transmission, phase); });
+}
+
+void Channel::work_off(Transmission& transmission, Phase phase) {
+  const auto p = static_cast<std::size_t>(phase);
+  auto& series = transmission.series[p];
+  const auto& receivers = transmission.receivers;
+  do {
+    prefetch(receivers, series.next);
+    act(transmission, phase, series.next);
+    do {
+      ++series.next;
+    } while (series.next < receivers.size() && receivers[series.next].places[p].order == 0);
+    if (series.next == receivers.size()) {
+      series.is_pending = false;
+      return transmissions_.drop_use(transmission);
+    }
+  } while (events_.go_on(transmission.due(phase, receivers[series.next]),
+                         receivers[series.next].places[p]));
+  schedule(transmission, phase);
+}
+
+/// Prefetches for the receivers ahead: first the radio, then the memory to which it points.
+void Channel::prefetch(const std::vector<Transmission::Receiver>& receivers,
+                       std::size_t now) const {
+  if (now + 2 < receivers.size()) {
+    receivers[now + 2].radio->prefetch();
+    __builtin_prefetch(&faint_[receivers[now + 2].index]);
+  }
+  if (now + 1 < receivers.size()) {
+    receivers[now + 1].radio->prefetch_listener();
+    faint_[receivers[now + 1].index].prefetch_all();
+  }
+}
+
+void Channel::act(Transmission& transmission, Phase phase, std::size_t receiver) {
+  Radio& radio = *transmission.receivers[receiver].radio;
+  switch (phase) {
+    case Phase::kArrival:
+      return arrive(transmission, receiver);
+    case Phase::kWindow:
+      return radio.close_preamble_window();
+    case Phase::kEnd:
+      return radio.end_signal(*transmission.frame, false);
+  }
+}
+
+void Channel::arrive(Transmission& transmission, std::size_t index) {
+  const auto& receiver = transmission.receivers[index];
+  const bool window_opened = receiver.radio->begin_signal(*transmission.frame, receiver.arrival);
+  if (window_opened) follow(transmission, Phase::kWindow, index);
+  follow(transmission, Phase::kEnd, index);
+}
+
+void Channel::finish(Transmission& transmission) {
+  Transmission*& current = current_[transmission.from->index()];
+  if (current == &transmission) current = nullptr;
+  transmission.from->end_transmit(*transmission.frame);
+  if (!delays_) {
+    for (const auto& receiver : transmission.receivers) {
+      receiver.radio->end_signal(*transmission.frame, false);
+    }
+  }
+  transmissions_.drop_use(transmission);
+}
+
+void Channel::interfere(StationIndex at, hal::Duration delay, hal::Duration length, double power) {
+  constexpr StationIndex kNoStation = std::numeric_limits<StationIndex>::max();
+  const bool alarms = faint_[at].add(kNoStation, events_.now(), delay, length, power);
+  if (alarms) radios_[at]->watch_energy();
+}
+
+void Channel::cut(const Radio& from) {
+  Transmission* const transmission = std::exchange(current_[from.index()], nullptr);
+  if (transmission == nullptr) return;
+  events_.cancel(transmission->end);
+  observer_.on_frame_cut(events_.now(), *transmission->frame);
+  for (FaintSignals& faint : faint_) {
+    faint.cut(from.index(), transmission->start, events_.now());
+  }
+  for (const auto& receiver : transmission->receivers) {
+    Radio& radio = *receiver.radio;
+    if (!delays_) {
+      radio.end_signal(*transmission->frame, true);
+      continue;
+    }
+    transmissions_.add_use(*transmission);
+    events_.schedule(events_.now() + receiver.arrival.delay, Rank::kRadio, radio.agent(),
+                     [this, &radio, transmission] {
+                       radio.end_signal(*transmission->frame, true);
+                       transmissions_.drop_use(*transmission);
+                     });
+  }
+  transmissions_.drop_use(*transmission);
+}
+
+}  // namespace sim::radio

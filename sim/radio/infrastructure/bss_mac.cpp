@@ -1,0 +1,157 @@
+#include "sim/radio/infrastructure/bss_mac.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sim::radio {
+
+BssMac::BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf)
+    : MacBase(context), config_(config), dcf_(std::move(dcf)) {
+  dcf_->set_listener(*this);
+}
+
+void BssMac::transmit(const MacRequest& request) {
+  check(request);
+  Waiting waiting{request, agent(), now()};
+  if (!radio_on()) return end_later(std::move(waiting), hal::Verdict::kRadioOff);
+  if (!queue_data(waiting)) end_later(std::move(waiting), hal::Verdict::kQueueFull);
+}
+
+void BssMac::set_radio(bool on) {
+  if (on == radio_on()) return;
+  dcf_->set_radio(on);  // ends the request in service
+  if (!on) {
+    management_.clear();
+    for (Waiting& waiting : std::exchange(data_, {})) {
+      end_later(std::move(waiting), hal::Verdict::kRadioOff);
+    }
+  }
+  on_radio(on);
+}
+
+bool BssMac::queue_data(Waiting waiting) {
+  discard_expired();
+  if (queued() >= config_.contention.queue_limit) return false;
+  if (waiting.source != agent()) {
+    observer().on_relay_queued(now(), {agent(), waiting.source, waiting.request});
+  }
+  data_.push_back(std::move(waiting));
+  serve();
+  return true;
+}
+
+std::size_t BssMac::room() const {
+  const std::size_t limit = config_.contention.queue_limit;
+  return limit - std::min(limit, queued());
+}
+
+void BssMac::send_management(FrameType type, hal::AgentId to, hal::AgentId bssid, hal::Bytes body) {
+  MacRequest frame{.destination = to,
+                   .ethertype = 0,
+                   .priority = 0,
+                   .payload = std::make_shared<const hal::Bytes>(std::move(body)),
+                   .tag = 0,
+                   .header = {.type = type, .ds = Ds::kNone, .address3 = bssid}};
+  // A new management frame replaces a waiting one of the same type to the same station, and keeps
+  // its place in the queue.
+  const auto earlier = std::ranges::find_if(management_, [&frame](const MacRequest& other) {
+    return other.destination == frame.destination && other.header.type == frame.header.type;
+  });
+  if (earlier != management_.end()) {
+    *earlier = std::move(frame);
+  } else if (type == FrameType::kBeacon) {
+    management_.push_front(std::move(frame));
+  } else {
+    management_.push_back(std::move(frame));
+  }
+  serve();
+}
+
+void BssMac::lose(const Frame& frame) {
+  const MacRequest lost{.destination = frame.receiver,
+                        .ethertype = frame.ethertype,
+                        .priority = frame.priority,
+                        .payload = frame.payload,
+                        .tag = 0,
+                        .group = frame.group};
+  lose_relay(frame.source(), lost, hal::Verdict::kNoRoute);
+}
+
+void BssMac::lose_relay(hal::AgentId source, const MacRequest& request, hal::Verdict verdict) {
+  observer().on_relay_lost(now(), source, request, verdict);
+  observer().on_msdu_end(now(), {agent(), source, request},
+                         {.verdict = verdict, .has_waited = false});
+}
+
+MacRequest BssMac::data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds) {
+  MacRequest frame = waiting.request;
+  frame.header = {.type = FrameType::kData,
+                  .ds = ds,
+                  .address3 = ds == Ds::kTo ? frame.destination : waiting.source};
+  frame.destination = receiver;
+  return frame;
+}
+
+/// The requests at the front are the oldest.
+void BssMac::discard_expired() {
+  if (!config_.msdu_lifetime) return;
+  while (!data_.empty() && now() - data_.front().since > *config_.msdu_lifetime) {
+    end_later(std::move(data_.front()), hal::Verdict::kExpired);
+    data_.pop_front();
+  }
+}
+
+void BssMac::serve() {
+  while (!is_busy_ && radio_on()) {
+    if (!management_.empty()) {
+      const MacRequest frame = std::move(management_.front());
+      management_.pop_front();
+      return hand_down(frame);
+    }
+    discard_expired();
+    if (data_.empty() || !is_open()) return;
+    Waiting waiting = std::move(data_.front());
+    data_.pop_front();
+    std::optional<MacRequest> frame = frame_for(waiting);
+    if (!frame) continue;
+    frame->header.since = waiting.since;
+    serving_ = std::move(waiting);
+    return hand_down(*frame);
+  }
+}
+
+void BssMac::hand_down(const MacRequest& frame) {
+  is_busy_ = true;
+  serving_since_ = now();
+  dcf_->transmit(frame);
+}
+
+void BssMac::on_sent(const MacRequest& request, hal::Verdict verdict) {
+  is_busy_ = false;
+  const std::optional<Waiting> served = std::exchange(serving_, std::nullopt);
+  if (!served) {
+    on_management_sent(request, verdict);
+    return serve();
+  }
+  if (verdict == hal::Verdict::kDelivered) learn_service_time(now() - serving_since_);
+  serve();
+  end(*served, verdict);
+}
+
+void BssMac::end_later(Waiting waiting, hal::Verdict verdict) {
+  auto shared = std::make_shared<const Waiting>(std::move(waiting));
+  events().schedule(now(), Rank::kRadio, agent(),
+                    [this, shared, verdict] { end(*shared, verdict); });
+}
+
+void BssMac::end(const Waiting& waiting, hal::Verdict verdict) {
+  if (waiting.source == agent()) return report(waiting.request, verdict);
+  observer().on_request_end(now(), agent(), waiting.request.destination, verdict);
+  if (verdict != hal::Verdict::kDelivered) {
+    observer().on_relay_lost(now(), waiting.source, waiting.request, verdict);
+  }
+  observer().on_msdu_end(now(), {agent(), waiting.source, waiting.request},
+                         {.verdict = verdict, .went_over_wire = waiting.over_wire});
+}
+
+}  // namespace sim::radio

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "sim/radio/mac/dcf_mac.h"
+
+namespace sim::radio {
+
+/// The common part of an access point and of the stations of its BSS: a queue above the DCF, which
+/// gets one frame at a time, so that waiting frames can take another path after a handover. Beacons
+/// precede other management frames, and those precede data.
+class BssMac : public MacBase, protected FrameListener {
+ public:
+  MacCapabilities capabilities() const final { return dcf_->capabilities(); }
+  void transmit(const MacRequest& request) final;
+  void set_radio(bool on) final;
+  bool radio_on() const final { return dcf_->radio_on(); }
+  std::size_t room() const final;
+  std::size_t waiting() const final { return queued(); }
+  RadioUse use() const final { return dcf_->use(); }
+  void set_use_listener(RadioUseListener* listener) final { dcf_->set_use_listener(listener); }
+
+ protected:
+  /// A request of a client, or, in an access point, of another station whose frame it relays.
+  struct Waiting {
+    MacRequest request;  ///< Addressed to the final destination.
+    hal::AgentId source;
+    hal::Time since{};       ///< Time of arrival; the lifetime counts from it.
+    bool over_wire = false;  ///< Sent to another access point over the distribution system.
+  };
+
+  /// @param config  outlives the MAC.
+  BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf);
+
+  /// Makes the frame for the request whose turn it is. @return nullopt if the request takes another
+  /// path, which this call has started.
+  virtual std::optional<MacRequest> frame_for(const Waiting& waiting) = 0;
+  /// Whether data may be sent now.
+  virtual bool is_open() const { return true; }
+  virtual void on_management_sent(const MacRequest& request, hal::Verdict verdict) = 0;
+  virtual void on_radio(bool on) = 0;
+
+  /// Makes a data frame of the BSS; `receiver` and `ds` determine its addresses (table 9-26).
+  static MacRequest data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds);
+
+  /// Sends frames that may be sent now. Call it when is_open() may have become true.
+  void serve();
+  /// Queues a request. @return false if the queue is full.
+  bool queue_data(Waiting waiting);
+  void send_management(FrameType type, hal::AgentId to, hal::AgentId bssid, hal::Bytes body);
+  /// Reports a data frame that this station received and acknowledged but cannot use.
+  void lose(const Frame& frame);
+  /// Reports that a frame from `source` is lost here without having been queued.
+  void lose_relay(hal::AgentId source, const MacRequest& request, hal::Verdict verdict);
+  /// Reports the end of a request in a separate event.
+  void end_later(Waiting waiting, hal::Verdict verdict);
+
+ private:
+  std::size_t queued() const final { return data_.size() + (serving_ ? 1u : 0u); }
+  void on_sent(const MacRequest& request, hal::Verdict verdict) final;
+  void end(const Waiting& waiting, hal::Verdict verdict);
+  void discard_expired();
+  void hand_down(const MacRequest& frame);
+
+  const DcfConfig& config_;
+  std::unique_ptr<DcfMac> dcf_;
+  std::deque<MacRequest> management_;
+  std::deque<Waiting> data_;
+  bool is_busy_ = false;            ///< The DCF has a frame.
+  std::optional<Waiting> serving_;  ///< The request in service, if it is data.
+  hal::Time serving_since_{};
+};
+
+}  // namespace sim::radio

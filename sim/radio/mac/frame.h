@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/quantity.h"
+#include "hal/types/time.h"
+#include "sim/radio/mac/mac_header.h"
+#include "sim/radio/mac/mac_sap.h"
+#include "sim/radio/phy/phy_mode.h"
+
+namespace sim::radio {
+
+/// Contents of a frame and its transmission parameters. Its transmitter makes it once; all
+/// receivers share it unchanged. codec.h converts it to bytes where bytes are needed.
+struct Frame {
+  /// Transmitter in the upper 16 bits, number among the frames of that transmitter in the rest.
+  std::uint64_t id = 0;
+  FrameType type = FrameType::kData;
+  hal::AgentId transmitter{};
+  hal::AgentId receiver{};   ///< kEveryone: broadcast.
+  hal::Duration duration{};  ///< Duration field: how long the exchange continues after this frame.
+  std::uint16_t sequence = 0;  ///< Data and management: 0..4095.
+  bool retry = false;          ///< Data and management: sent before with this sequence number.
+  Ds ds = Ds::kNone;           ///< Data.
+  hal::AgentId address3{};     ///< Data and management, as in MacHeader.
+  hal::BitsPerSecond rate{};   ///< Rate of the MPDU.
+  /// Mode of transmission; outlives the frame. Null if the frame was decoded from bytes.
+  const PhyMode* mode = nullptr;
+  std::uint32_t air_length = 0;  ///< Length of the MPDU with FCS, bits.
+  hal::Duration airtime{};       ///< Preamble, PLCP header and MPDU.
+  std::uint8_t priority = 0;     ///< Data.
+  Ethertype ethertype = 0;       ///< Data.
+  Payload payload{};             ///< Data: payload; management: frame body (management.h).
+  std::uint64_t tag = 0;         ///< Data: the tag of the client's request.
+  GroupAddress group = 0;        ///< Data to kEveryone: as in MacRequest.
+
+  bool is_broadcast() const { return receiver == hal::kEveryone; }
+  /// Data: original source and final destination, whatever access points lie between.
+  hal::AgentId source() const { return ds == Ds::kFrom ? address3 : transmitter; }
+  hal::AgentId destination() const { return ds == Ds::kTo ? address3 : receiver; }
+  /// Whether only stations of a BSS can interpret it.
+  bool is_of_bss() const { return ds != Ds::kNone || is_management(type); }
+};
+
+using FramePtr = std::shared_ptr<const Frame>;
+
+}  // namespace sim::radio

@@ -1,0 +1,98 @@
+#include "sim/radio/mac/frame_factory.h"
+
+#include <algorithm>
+
+#include "sim/radio/infrastructure/management.h"
+#include "sim/radio/mac/frame_lengths.h"
+
+namespace sim::radio {
+namespace {
+
+constexpr int kAgentShift = 48;
+
+}  // namespace
+
+std::shared_ptr<Frame> FrameFactory::blank(FrameType type, hal::AgentId to) {
+  auto frame = std::make_shared<Frame>();
+  frame->id = (static_cast<std::uint64_t>(agent_.value) << kAgentShift) | ++made_;
+  frame->type = type;
+  frame->transmitter = agent_;
+  frame->receiver = to;
+  return frame;
+}
+
+void FrameFactory::send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame) {
+  frame.mode = &mode;
+  frame.rate = mode.rate();
+  frame.air_length = bits;
+  frame.airtime = mode.airtime(bits);
+}
+
+FramePtr FrameFactory::control(FrameType type, const PhyMode& mode, hal::AgentId to,
+                               hal::Duration duration) {
+  auto frame = blank(type, to);
+  frame->duration = duration;
+  send_in(mode, mpdu_bits(lengths_, type), *frame);
+  return frame;
+}
+
+FramePtr FrameFactory::rts(hal::AgentId to, hal::Duration duration) {
+  return rts(to, duration, modes_.control());
+}
+
+FramePtr FrameFactory::rts(hal::AgentId to, hal::Duration duration, const PhyMode& mode) {
+  return control(FrameType::kRts, mode, to, duration);
+}
+
+FramePtr FrameFactory::cts_to_self(hal::Duration duration, const PhyMode& mode) {
+  return control(FrameType::kCts, mode, agent_, duration);
+}
+
+FramePtr FrameFactory::cts(const Frame& rts, hal::Duration sifs) {
+  const hal::Duration spent = sifs + response_airtime(FrameType::kCts, *rts.mode);
+  return control(FrameType::kCts, modes_.response_to(*rts.mode), rts.transmitter,
+                 std::max(hal::Duration{}, rts.duration - spent));
+}
+
+FramePtr FrameFactory::ack(const Frame& data) {
+  return control(FrameType::kAck, modes_.response_to(*data.mode), data.transmitter, {});
+}
+
+FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& options) {
+  const MacHeader& header = request.header;
+  auto frame = blank(header.type, request.destination);
+  frame->duration = options.duration;
+  frame->sequence = options.sequence;
+  frame->retry = options.retry;
+  frame->ds = header.ds;
+  frame->address3 = header.address3;
+  send_in(options.mode ? *options.mode : data_mode(request),
+          mpdu_bits(lengths_, header.type, request.payload->size()), *frame);
+  frame->priority = request.priority;
+  frame->ethertype = request.ethertype;
+  frame->payload = header.type == FrameType::kBeacon
+                       ? with_timestamp(*request.payload, options.at, *frame->mode)
+                       : request.payload;
+  frame->tag = request.tag;
+  frame->group = request.group;
+  return frame;
+}
+
+const PhyMode& FrameFactory::data_mode(const MacRequest& request) const {
+  const bool is_basic = request.destination == hal::kEveryone || is_management(request.header.type);
+  return is_basic ? modes_.broadcast() : modes_.data();
+}
+
+hal::Duration FrameFactory::data_airtime(const MacRequest& request) const {
+  return data_airtime(request, data_mode(request));
+}
+
+hal::Duration FrameFactory::data_airtime(const MacRequest& request, const PhyMode& mode) const {
+  return mode.airtime(mpdu_bits(lengths_, request.header.type, request.payload->size()));
+}
+
+hal::Duration FrameFactory::response_airtime(FrameType type, const PhyMode& to) const {
+  return modes_.response_to(to).airtime(mpdu_bits(lengths_, type));
+}
+
+}  // namespace sim::radio

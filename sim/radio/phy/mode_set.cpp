@@ -1,0 +1,87 @@
+#include "sim/radio/phy/mode_set.h"
+
+#include <algorithm>
+
+#include "hal/types/check.h"
+#include "sim/radio/phy/dsss_mode.h"
+#include "sim/radio/phy/ofdm_mode.h"
+
+namespace sim::radio {
+namespace {
+
+/// Nominal rate of instant frames.
+constexpr hal::BitsPerSecond kAnyRate{11e6};
+
+}  // namespace
+
+ModeSet::ModeSet(const RadioConfig& config) {
+  std::visit([this](const auto& one) { add(one); }, config);
+}
+
+void ModeSet::add(const WavesConfig& config) {
+  add_dsss(config);
+  choose(config.phy);
+}
+
+void ModeSet::add(const DcfConfig& config) {
+  add_dsss(config);
+  choose(config.phy);
+  for (const hal::BitsPerSecond rate : config.basic_rates) basic_.push_back(&at(rate));
+}
+
+void ModeSet::add(const Ieee80211gConfig& config) {
+  for (const double rate : {6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6}) {
+    modes_.push_back(std::make_unique<OfdmMode>(hal::BitsPerSecond{rate}, config.bits_at_risk));
+  }
+  add(static_cast<const DcfConfig&>(config));
+}
+
+void ModeSet::add_dsss(const WavesConfig& config) {
+  const DsssMode::Options options{config.phy.preamble, config.phy.rounding,
+                                  config.receiver.error_model};
+  for (const double rate : {1e6, 2e6, 5.5e6, 11e6}) {
+    modes_.push_back(std::make_unique<DsssMode>(hal::BitsPerSecond{rate}, options));
+  }
+  std::ranges::sort(modes_, {}, [](const auto& mode) { return mode->rate().value; });
+}
+
+void ModeSet::choose(const PhyConfig& config) {
+  data_ = &at(config.data_rate);
+  broadcast_ = &at(config.broadcast_rate);
+  control_ = &at(config.control_rate);
+}
+
+void ModeSet::add(const DiskConfig& config) { add_plain(config.data_rate, false); }
+
+void ModeSet::add(const IdealConfig&) { add_plain(kAnyRate, true); }
+
+void ModeSet::add_plain(hal::BitsPerSecond rate, bool is_instant) {
+  modes_.push_back(std::make_unique<PlainMode>(rate, is_instant));
+  data_ = broadcast_ = control_ = &lowest();
+}
+
+const PhyMode& ModeSet::response_to(const PhyMode& mode) const {
+  if (basic_.empty()) return *control_;
+  const auto fits = [&mode](const PhyMode& one) {
+    return one.modulation_class() == mode.modulation_class() && one.rate() <= mode.rate();
+  };
+  const PhyMode* best = nullptr;
+  for (const PhyMode* const one : basic_) {
+    if (fits(*one) && (best == nullptr || one->rate() > best->rate())) best = one;
+  }
+  if (best != nullptr) return *best;
+  for (const auto& one : modes_) {
+    if (fits(*one) && one->is_mandatory()) best = one.get();
+  }
+  BARAKA_CHECK(best != nullptr);  // the lowest mode of each class is mandatory
+  return *best;
+}
+
+const PhyMode& ModeSet::at(hal::BitsPerSecond rate) const {
+  const auto found =
+      std::ranges::find_if(modes_, [rate](const auto& mode) { return mode->rate() == rate; });
+  BARAKA_CHECK(found != modes_.end());
+  return **found;
+}
+
+}  // namespace sim::radio

@@ -1,0 +1,22 @@
+#include "sim/radio/rate/rate_control.h"
+
+#include "sim/radio/rate/aarf.h"
+#include "sim/radio/rate/minstrel.h"
+
+namespace sim::radio {
+
+std::unique_ptr<RateControl> make_rate_control(const RateControlConfig& config,
+                                               const RateLadders& ladders,
+                                               hal::RandomStream random) {
+  switch (config.kind) {
+    case RateControlKind::kAarf:
+      return std::make_unique<Aarf>(config, ladders);
+    case RateControlKind::kMinstrel:
+      return std::make_unique<Minstrel>(config, ladders, random);
+    case RateControlKind::kFixed:
+      break;
+  }
+  return std::make_unique<FixedRate>(ladders);
+}
+
+}  // namespace sim::radio

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/random.h"
+#include "hal/types/time.h"
+#include "sim/radio/phy/phy_mode.h"
+#include "sim/radio/rate/rate_control_config.h"
+#include "sim/radio/rate/rate_ladder.h"
+
+namespace sim::radio {
+
+/// Chooses the mode of each attempt to send a unicast data frame from the results of earlier
+/// attempts. To add a kind, add a class and a line in make_rate_control().
+class RateControl {
+ public:
+  /// @param ladders  outlives this object.
+  explicit RateControl(const RateLadders& ladders) : ladders_(ladders) {}
+  virtual ~RateControl() = default;
+
+  /// Mode of the next attempt. Its result is reported before the next call for this destination, or
+  /// never.
+  /// @param attempt  number of earlier attempts to send this frame.
+  virtual const PhyMode& mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) = 0;
+  /// Reports whether the ACK was received.
+  virtual void on_result(hal::AgentId to, bool is_success) = 0;
+
+ protected:
+  const Ladder& ladder(hal::AgentId to) const { return ladders_.to(to); }
+
+ private:
+  const RateLadders& ladders_;
+};
+
+/// Always uses the highest rate.
+class FixedRate final : public RateControl {
+ public:
+  using RateControl::RateControl;
+  const PhyMode& mode(hal::AgentId to, std::uint32_t, hal::Time) override {
+    return *ladder(to).back().mode;
+  }
+  void on_result(hal::AgentId, bool) override {}
+};
+
+/// @param random  this station's stream, for kinds that draw.
+std::unique_ptr<RateControl> make_rate_control(const RateControlConfig& config,
+                                               const RateLadders& ladders,
+                                               hal::RandomStream random);
+
+}  // namespace sim::radio
