@@ -52,6 +52,7 @@ Ieee80211gConfig::Ieee80211gConfig() {
          .rounding = Rounding::kMicrosecond};
   basic_rates = {hal::BitsPerSecond{6e6}, hal::BitsPerSecond{12e6}, hal::BitsPerSecond{24e6}};
   contention.cw_min = 15;
+  edca = edca_defaults(15, 1023, false);
   cca_time = 4us;
 }
 

@@ -16,6 +16,8 @@
 #include "sim/radio/channel/loss_config.h"
 #include "sim/radio/channel/path_loss_config.h"
 #include "sim/radio/infrastructure/bss_config.h"
+#include "sim/radio/mac/aggregation_config.h"
+#include "sim/radio/mac/edca_config.h"
 #include "sim/radio/rate/rate_control_config.h"
 #include "sim/radio/station_config.h"
 
@@ -166,6 +168,11 @@ struct DcfConfig : WavesConfig {
   /// Protection of OFDM frames. kAuto: kCtsToSelf in a mixed cell, else kNone.
   ProtectionKind protection = ProtectionKind::kAuto;
   hal::BitsPerSecond protection_rate{1e6};  ///< Rate of the protecting frames, a DSSS rate.
+  /// QoS station: data frames have the QoS header, and `edca` replaces the windows of `contention`
+  /// (10.2.3.2).
+  bool qos = false;
+  EdcaConfig edca = edca_defaults(31, 1023, true);  ///< With `qos`.
+  AggregationConfig aggregation{};                  ///< With `qos`.
 
  protected:
   DcfConfig();
