@@ -23,13 +23,13 @@ void Channel::add(Radio& radio) {
   current_.emplace_back();
 }
 
-void Channel::transmit(Radio& from, const FramePtr& frame) {
-  observer_.on_frame_start(events_.now(), *frame);
+void Channel::transmit(Radio& from, const PpduPtr& ppdu) {
+  for (const auto& part : ppdu->parts) observer_.on_frame_start(events_.now(), *part.frame);
   Transmission& transmission = transmissions_.claim();
-  transmission.frame = frame;
+  transmission.ppdu = ppdu;
   transmission.from = &from;
   transmission.start = events_.now();
-  transmission.after_arrival = {hal::Duration{}, preamble_window_, frame->airtime};
+  transmission.after_arrival = {hal::Duration{}, preamble_window_, ppdu->airtime};
   const Links& links = neighbourhood_.links_from(from.index());
   transmission.receivers.reserve(links.audible.size());
   for (const std::uint32_t one : links.by_arrival) {
@@ -39,26 +39,28 @@ void Channel::transmit(Radio& from, const FramePtr& frame) {
   }
   current_[from.index()] = &transmission;
   transmissions_.add_use(transmission);
-  start_faint(*frame, from.index(), links.faint);
+  start_faint(*ppdu, from.index(), links.faint);
   if (delays_) {
     start_one_by_one(transmission);
   } else {
     start_everywhere(transmission);
   }
-  transmission.end = events_.schedule(events_.now() + frame->airtime, Rank::kRadio, from.agent(),
+  transmission.end = events_.schedule(events_.now() + ppdu->airtime, Rank::kRadio, from.agent(),
                                       [this, &transmission] { finish(transmission); });
 }
 
-void Channel::start_faint(const Frame& frame, StationIndex from,
+void Channel::start_faint(const Ppdu& ppdu, StationIndex from,
                           const std::vector<FaintLink>& links) {
   if (links.empty()) return;
-  observer_.on_faint(frame, static_cast<std::uint32_t>(links.size()));
+  for (const auto& part : ppdu.parts) {
+    observer_.on_faint(*part.frame, static_cast<std::uint32_t>(links.size()));
+  }
   const hal::Time now = events_.now();
   for (std::size_t i = 0; i < links.size(); ++i) {
     prefetch_faint(links, i);
     const FaintLink& link = links[i];
     const bool alarms =
-        faint_[link.receiver].add(from, now, hal::Duration{link.delay}, frame.airtime, link.power);
+        faint_[link.receiver].add(from, now, hal::Duration{link.delay}, ppdu.airtime, link.power);
     if (alarms) radios_[link.receiver]->watch_energy();
   }
 }
@@ -73,7 +75,7 @@ void Channel::prefetch_faint(const std::vector<FaintLink>& links, std::size_t no
 void Channel::start_everywhere(Transmission& transmission) {
   bool window_opened = false;
   for (const auto& receiver : transmission.receivers) {
-    window_opened |= receiver.radio->begin_signal(*transmission.frame, receiver.arrival);
+    window_opened |= receiver.radio->begin_signal(*transmission.ppdu, receiver.arrival);
   }
   if (!window_opened) return;
   transmissions_.add_use(transmission);
@@ -160,13 +162,13 @@ void Channel::act(Transmission& transmission, Phase phase, std::size_t receiver)
     case Phase::kWindow:
       return radio.close_preamble_window();
     case Phase::kEnd:
-      return radio.end_signal(*transmission.frame, false);
+      return radio.end_signal(*transmission.ppdu, false);
   }
 }
 
 void Channel::arrive(Transmission& transmission, std::size_t index) {
   const auto& receiver = transmission.receivers[index];
-  const bool window_opened = receiver.radio->begin_signal(*transmission.frame, receiver.arrival);
+  const bool window_opened = receiver.radio->begin_signal(*transmission.ppdu, receiver.arrival);
   if (window_opened) follow(transmission, Phase::kWindow, index);
   follow(transmission, Phase::kEnd, index);
 }
@@ -174,10 +176,10 @@ void Channel::arrive(Transmission& transmission, std::size_t index) {
 void Channel::finish(Transmission& transmission) {
   Transmission*& current = current_[transmission.from->index()];
   if (current == &transmission) current = nullptr;
-  transmission.from->end_transmit(*transmission.frame);
+  transmission.from->end_transmit(*transmission.ppdu);
   if (!delays_) {
     for (const auto& receiver : transmission.receivers) {
-      receiver.radio->end_signal(*transmission.frame, false);
+      receiver.radio->end_signal(*transmission.ppdu, false);
     }
   }
   transmissions_.drop_use(transmission);
@@ -193,20 +195,22 @@ void Channel::cut(const Radio& from) {
   Transmission* const transmission = std::exchange(current_[from.index()], nullptr);
   if (transmission == nullptr) return;
   events_.cancel(transmission->end);
-  observer_.on_frame_cut(events_.now(), *transmission->frame);
+  for (const auto& part : transmission->ppdu->parts) {
+    observer_.on_frame_cut(events_.now(), *part.frame);
+  }
   for (FaintSignals& faint : faint_) {
     faint.cut(from.index(), transmission->start, events_.now());
   }
   for (const auto& receiver : transmission->receivers) {
     Radio& radio = *receiver.radio;
     if (!delays_) {
-      radio.end_signal(*transmission->frame, true);
+      radio.end_signal(*transmission->ppdu, true);
       continue;
     }
     transmissions_.add_use(*transmission);
     events_.schedule(events_.now() + receiver.arrival.delay, Rank::kRadio, radio.agent(),
                      [this, &radio, transmission] {
-                       radio.end_signal(*transmission->frame, true);
+                       radio.end_signal(*transmission->ppdu, true);
                        transmissions_.drop_use(*transmission);
                      });
   }

@@ -33,8 +33,8 @@ class Channel {
   /// The signals that are too weak to be reported to this station's radio.
   FaintSignals& faint_at(StationIndex station) { return faint_[station]; }
 
-  /// Starts a frame now.
-  void transmit(Radio& from, const FramePtr& frame);
+  /// Starts a PPDU now.
+  void transmit(Radio& from, const PpduPtr& ppdu);
 
   /// Starts a burst of energy now; it reaches the station after the delay.
   /// @param length  at most kLongestBurst. @param power  mW
@@ -46,7 +46,7 @@ class Channel {
  private:
   using Phase = Transmission::Phase;
 
-  void start_faint(const Frame& frame, StationIndex from, const std::vector<FaintLink>& links);
+  void start_faint(const Ppdu& ppdu, StationIndex from, const std::vector<FaintLink>& links);
   void prefetch_faint(const std::vector<FaintLink>& links, std::size_t now) const;
   void prefetch(const std::vector<Transmission::Receiver>& receivers, std::size_t now) const;
   void start_everywhere(Transmission& transmission);

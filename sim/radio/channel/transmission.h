@@ -11,13 +11,13 @@
 #include "sim/core/event_queue.h"
 #include "sim/radio/channel/propagation.h"
 #include "sim/radio/channel/station_index.h"
-#include "sim/radio/mac/frame.h"
+#include "sim/radio/mac/ppdu.h"
 
 namespace sim::radio {
 
 class Radio;
 
-/// A frame on its way to the radios that it affects.
+/// A PPDU on its way to the radios that it affects.
 struct Transmission {
   /// Events of the frame at each radio, with propagation delay.
   enum class Phase : std::uint8_t { kArrival, kWindow, kEnd };
@@ -42,7 +42,7 @@ struct Transmission {
     return start + receiver.arrival.delay + after_arrival[static_cast<std::size_t>(phase)];
   }
 
-  FramePtr frame;
+  PpduPtr ppdu;
   Radio* from = nullptr;
   hal::Time start{};
   std::array<hal::Duration, kPhases> after_arrival{};

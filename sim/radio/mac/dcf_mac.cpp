@@ -138,11 +138,12 @@ void DcfMac::discard_expired() {
 }
 
 void DcfMac::send(const FramePtr& frame) {
-  radio_.transmit(frame);
+  radio_.transmit(ppdu_of(frame));
   update_medium();
 }
 
-void DcfMac::on_transmit_end(const Frame& frame) {
+void DcfMac::on_transmit_end(const Ppdu& ppdu) {
+  const Frame& frame = ppdu.first();
   backoff_.hold_until({});
   last_was_wrong_ = false;
   update_medium();
@@ -234,7 +235,10 @@ FramePtr DcfMac::make_data() {
                                      .at = now()});
 }
 
-void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+void DcfMac::on_receive(const ReceivedPpdu& received) {
+  const Frame& frame = received.ppdu.first();
+  const hal::Dbm rssi = received.rssi;
+  const hal::Decibels snr = received.snr;
   last_was_wrong_ = false;
   backoff_.hold_until({});
   const bool for_us = frame.receiver == agent();

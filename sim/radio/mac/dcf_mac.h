@@ -58,9 +58,9 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   void on_medium_busy() override { update_medium(); }
   void on_medium_idle() override;
   void on_receive_start() override {}
-  void on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
+  void on_receive(const ReceivedPpdu& received) override;
   void on_receive_error(ReceiveError error) override;
-  void on_transmit_end(const Frame& frame) override;
+  void on_transmit_end(const Ppdu& ppdu) override;
   void on_access() override;
 
   // Carrier sense.

@@ -98,7 +98,7 @@ void MobilityFrameworkMac::on_contention_won() {
   const MacRequest& request = queue_.head().request;
   if (queue_.head().is_broadcast()) {
     state_ = State::kBusy;
-    radio_.transmit(make_data());
+    radio_.transmit(ppdu_of(make_data()));
     return;
   }
   const FrameType reply = uses_rts(request) ? FrameType::kCts : FrameType::kAck;
@@ -110,7 +110,7 @@ void MobilityFrameworkMac::on_contention_won() {
 /// @param reply  airtime of the frame that must have been received by the timeout.
 void MobilityFrameworkMac::send_and_wait(const FramePtr& frame, State next, hal::Duration reply) {
   state_ = next;
-  radio_.transmit(frame);
+  radio_.transmit(ppdu_of(frame));
   start(timeout_, frame->airtime + config_.contention.sifs + reply + kDelta,
         [this] { on_timeout(); });
 }
@@ -134,7 +134,10 @@ void MobilityFrameworkMac::on_medium_idle() {
   if (state_ == State::kContend && !is_running(contention_) && !is_running(sifs_)) next_cycle();
 }
 
-void MobilityFrameworkMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+void MobilityFrameworkMac::on_receive(const ReceivedPpdu& received) {
+  const Frame& frame = received.ppdu.first();
+  const hal::Dbm rssi = received.rssi;
+  const hal::Decibels snr = received.snr;
   if (frame.is_broadcast()) {
     if (state_ == State::kContend) next_cycle();
     return hand_up(frame, rssi, snr);
@@ -221,11 +224,12 @@ void MobilityFrameworkMac::send_answer() {
   }
   const bool is_cts = frame->type == FrameType::kCts;
   state_ = is_cts ? State::kWaitData : State::kBusy;
-  radio_.transmit(frame);
+  radio_.transmit(ppdu_of(frame));
   if (is_cts) start(timeout_, data_due_, [this] { on_timeout(); });
 }
 
-void MobilityFrameworkMac::on_transmit_end(const Frame& frame) {
+void MobilityFrameworkMac::on_transmit_end(const Ppdu& ppdu) {
+  const Frame& frame = ppdu.first();
   if (frame.type == FrameType::kAck) {
     start(busy_, kDelta, [this] { next_cycle(); });
   } else if (frame.is_broadcast()) {

@@ -49,7 +49,7 @@ void Radio::prefetch_listener() const {
   prefetch_bytes(signals_.data(), sizeof(Signal));
 }
 
-void Radio::transmit(FramePtr frame) {
+void Radio::transmit(PpduPtr ppdu) {
   settle();
   BARAKA_CHECK(state_ == State::kIdle || state_ == State::kReceive);
   lose_all(hal::Verdict::kReceiverTransmitting);
@@ -59,14 +59,14 @@ void Radio::transmit(FramePtr frame) {
   }
   state_ = State::kTransmit;
   ignore_energy();
-  sending_ = std::move(frame);
+  sending_ = std::move(ppdu);
   sending_until_ = events_.now() + sending_->airtime;
   channel_.transmit(*this, sending_);
 }
 
-void Radio::end_transmit(const Frame& frame) {
-  if (sending_.get() != &frame) return;
-  const FramePtr sent = std::move(sending_);
+void Radio::end_transmit(const Ppdu& ppdu) {
+  if (sending_.get() != &ppdu) return;
+  const PpduPtr sent = std::move(sending_);
   state_ = State::kIdle;
   sense();
   listener_->on_transmit_end(*sent);
@@ -97,19 +97,19 @@ void Radio::settle() {
       return signal.end == events_.now();
     });
     if (over == signals_.end()) break;
-    end_signal(*over->frame, false);
+    end_signal(*over->ppdu, false);
   }
   if (window_ && events_.now() - *window_ >= preamble_window_) take_strongest();
 }
 
-bool Radio::begin_signal(const Frame& frame, const Propagation::Arrival& arrival) {
+bool Radio::begin_signal(const Ppdu& ppdu, const Propagation::Arrival& arrival) {
   settle();
   hear();
   const hal::Time now = events_.now();
-  signals_.push_back({.frame = &frame,
+  signals_.push_back({.ppdu = &ppdu,
                       .arrival = arrival,
                       .start = now,
-                      .end = now + frame.airtime,
+                      .end = now + ppdu.airtime,
                       .verdict = std::nullopt});
   signals_.back().verdict = refuse(signals_.back());
   if (forgets_overlap_) recall_for(signals_.back());
@@ -126,13 +126,13 @@ std::optional<hal::Verdict> Radio::refuse(const Signal& signal) const {
   if (state_ == State::kTransmit) return hal::Verdict::kReceiverTransmitting;
   if (signal.arrival.blocked) return hal::Verdict::kObstacle;
   if (signal.arrival.power.value < rules_.sensitivity) return hal::Verdict::kBelowSensitivity;
-  if (is_foreign(*signal.frame)) return hal::Verdict::kPreambleMissed;
+  if (is_foreign(*signal.ppdu)) return hal::Verdict::kPreambleMissed;
   return std::nullopt;
 }
 
-/// Whether this radio can interpret neither the preamble nor the header of a frame.
-bool Radio::is_foreign(const Frame& frame) const {
-  return !knows_ofdm_ && frame.mode->modulation_class() == ModulationClass::kOfdm;
+/// Whether this radio can interpret neither the preamble nor the header of a PPDU.
+bool Radio::is_foreign(const Ppdu& ppdu) const {
+  return !knows_ofdm_ && ppdu.mode->modulation_class() == ModulationClass::kOfdm;
 }
 
 bool Radio::synchronise(Signal& signal) {
@@ -141,7 +141,7 @@ bool Radio::synchronise(Signal& signal) {
       signal.verdict = hal::Verdict::kPreambleMissed;
       return false;
     }
-    Signal& held = *find(held_->frame());
+    Signal& held = *find(held_->ppdu());
     held.verdict =
         held.start == signal.start ? hal::Verdict::kPreambleMissed : hal::Verdict::kCollision;
   } else if (preamble_window_ > hal::Duration{}) {
@@ -166,7 +166,7 @@ void Radio::take_strongest() {
   Signal* const best = strongest_in_window();
   window_.reset();
   if (best == nullptr) return;
-  Interference others = interference(*best->frame);
+  Interference others = interference(*best->ppdu);
   faint().add_lasting_to(others, events_.now());
   if (best->arrival.power.value < rules_.min_sinr * (rules_.noise + others.sum)) {
     best->verdict = cause_of_loss(rules_, others);
@@ -191,7 +191,7 @@ Radio::Signal* Radio::strongest_in_window() {
 }
 
 void Radio::hold(const Signal& signal) {
-  held_.emplace(*signal.frame, signal.arrival.power.value, signal.start, events_.now());
+  held_.emplace(*signal.ppdu, signal.arrival.power.value, signal.start, events_.now());
   faint().keep_from(events_.now());
   // A frame sensed by its power keeps the medium busy until its end; any other only while it is
   // held.
@@ -213,41 +213,72 @@ void Radio::lose_all(hal::Verdict verdict) {
   window_.reset();
 }
 
-void Radio::end_signal(const Frame& frame, bool cut) {
-  const Signal* const found = find(frame);
+void Radio::end_signal(const Ppdu& ppdu, bool cut) {
+  const Signal* const found = find(ppdu);
   if (found == nullptr) return;
   hear();
   const Signal signal = *found;
   signals_.erase(signals_.begin() + (found - signals_.data()));
-  const bool was_held = held_ && &held_->frame() == &frame;
-  Reception::Outcome outcome{signal.verdict.value_or(hal::Verdict::kPreambleMissed)};
+  const bool was_held = held_ && &held_->ppdu() == &ppdu;
+  ReceiveError error = ReceiveError::kBitError;
   hal::Decibels snr;
+  Verdicts verdicts(ppdu.parts.size(), signal.verdict.value_or(hal::Verdict::kPreambleMissed));
   if (was_held) {
-    outcome = held_->judge(rules_, errors_);
+    error = judge_held(verdicts);
     snr = hal::Decibels{10 * hal::math::log10(held_->min_sinr())};
     release();
     recall_all();
   }
-  if (outcome.verdict == hal::Verdict::kDelivered && loss_ != nullptr &&
-      loss_->strikes(frame, agent_)) {
-    outcome = {hal::Verdict::kRandomLoss};
-  }
-  if (cut && !signal.verdict) outcome = {hal::Verdict::kRadioOff};
+  strike(signal, cut, verdicts);
   sense();
-  if (was_held) observer_.on_sinr(snr.value);
-  observer_.on_reception(events_.now(), frame, agent_, outcome.verdict, signal.arrival.level.value);
-  if (was_held && outcome.verdict == hal::Verdict::kDelivered) {
-    listener_->on_receive(frame, signal.arrival.level, snr);
+  report(signal, verdicts, was_held ? std::optional(snr) : std::nullopt);
+  const bool some = std::ranges::find(verdicts, hal::Verdict::kDelivered) != verdicts.end();
+  if (was_held && some) {
+    const std::span all(verdicts.data(), verdicts.size());
+    listener_->on_receive({ppdu, all, signal.arrival.level, snr});
   } else if (was_held) {
-    listener_->on_receive_error(outcome.error);
+    listener_->on_receive_error(error);
   }
   announce();
 }
 
-Interference Radio::interference(const Frame& wanted) const {
+/// Decides the verdict of each MPDU of the held PPDU. @return the error if none was received.
+ReceiveError Radio::judge_held(Verdicts& verdicts) {
+  ReceiveError error = ReceiveError::kBitError;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const Reception::Outcome outcome = held_->judge(i, rules_, errors_);
+    verdicts[i] = outcome.verdict;
+    error = outcome.error;
+  }
+  return error;
+}
+
+/// Applies random loss, and what a cut does to MPDUs whose verdict was open.
+void Radio::strike(const Signal& signal, bool cut, Verdicts& verdicts) const {
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    hal::Verdict& verdict = verdicts[i];
+    if (verdict == hal::Verdict::kDelivered && loss_ != nullptr &&
+        loss_->strikes(*signal.ppdu->parts[i].frame, agent_)) {
+      verdict = hal::Verdict::kRandomLoss;
+    }
+    if (cut && !signal.verdict) verdict = hal::Verdict::kRadioOff;
+  }
+}
+
+/// @param snr  of a PPDU to which the radio was synchronised.
+void Radio::report(const Signal& signal, const Verdicts& verdicts,
+                   std::optional<hal::Decibels> snr) {
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (snr) observer_.on_sinr(snr->value);
+    observer_.on_reception(events_.now(), *signal.ppdu->parts[i].frame, agent_, verdicts[i],
+                           signal.arrival.level.value);
+  }
+}
+
+Interference Radio::interference(const Ppdu& wanted) const {
   Interference others;
   for (const Signal& signal : signals_) {
-    if (signal.frame == &wanted) continue;
+    if (signal.ppdu == &wanted) continue;
     others.sum += signal.arrival.power.value;
     others.strongest = std::max(others.strongest, signal.arrival.power.value);
   }
@@ -271,7 +302,7 @@ void Radio::hear() {
 }
 
 void Radio::hear_until(hal::Time end) {
-  const Interference others = interference(held_->frame());
+  const Interference others = interference(held_->ppdu());
   while (held_->heard_until() < end) {
     Interference all = others;
     hal::Time until = end;
@@ -283,7 +314,7 @@ void Radio::hear_until(hal::Time end) {
 
 /// Frees the receiver for other frames, because the header of the held frame is wrong.
 void Radio::lose_header() {
-  find(held_->frame())->verdict = held_->judge(rules_, errors_).verdict;
+  find(held_->ppdu())->verdict = held_->judge(0, rules_, errors_).verdict;
   if (forgets_overlap_) forget_overlap();
   release();
   sense();
@@ -303,10 +334,9 @@ bool Radio::has_received_since(hal::Time since) {
   return last_header_ >= since;
 }
 
-Radio::Signal* Radio::find(const Frame& frame) {
-  const auto found = std::find_if(signals_.begin(), signals_.end(), [&frame](const Signal& signal) {
-    return signal.frame == &frame;
-  });
+Radio::Signal* Radio::find(const Ppdu& ppdu) {
+  const auto found = std::find_if(signals_.begin(), signals_.end(),
+                                  [&ppdu](const Signal& signal) { return signal.ppdu == &ppdu; });
   return found == signals_.end() ? nullptr : &*found;
 }
 

@@ -10,8 +10,8 @@
 #include "sim/core/event_queue.h"
 #include "sim/radio/channel/propagation.h"
 #include "sim/radio/channel/station_index.h"
-#include "sim/radio/mac/frame.h"
 #include "sim/radio/mac/observer.h"
+#include "sim/radio/mac/ppdu.h"
 #include "sim/radio/phy/radio_use.h"
 #include "sim/radio/phy/reception.h"
 #include "sim/radio/phy/timed_state.h"
@@ -32,12 +32,12 @@ class RadioListener {
   virtual void on_medium_idle() = 0;
   /// The receiver synchronised to a frame.
   virtual void on_receive_start() = 0;
-  /// A frame was received without error, whether addressed to this station or not. Called before
-  /// on_medium_idle().
-  virtual void on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) = 0;
+  /// A PPDU was received of which at least one MPDU is without error, whether addressed to this
+  /// station or not. Called before on_medium_idle().
+  virtual void on_receive(const ReceivedPpdu& received) = 0;
   virtual void on_receive_error(ReceiveError error) = 0;
-  /// The radio has finished sending its own frame.
-  virtual void on_transmit_end(const Frame& frame) = 0;
+  /// The radio has finished sending its own PPDU.
+  virtual void on_transmit_end(const Ppdu& ppdu) = 0;
 };
 
 /// Half-duplex receiver and transmitter of one station.
@@ -50,10 +50,10 @@ class RadioListener {
 ///     +---------------- frame or energy sensed ------------+
 ///   kOff <---> any: set_on()
 ///
-/// Every frame reported to the radio ends in exactly one verdict, at the frame's end. A signal that
-/// ends now is over, in whatever order the events of this time run. Frames that are faint here are
-/// interference that the radio evaluates when it needs to (FaintSignals). A frame with a wrong PHY
-/// header is given up at the header's end; that, too, is evaluated on demand.
+/// Every MPDU of a PPDU reported to the radio ends in exactly one verdict, at the PPDU's end. A
+/// signal that ends now is over, in whatever order the events of this time run. PPDUs that are
+/// faint here are interference that the radio evaluates when it needs to (FaintSignals). A PPDU
+/// with a wrong PHY header is given up at the header's end; that, too, is evaluated on demand.
 class Radio {
  public:
   enum class State : std::uint8_t { kOff, kIdle, kReceive, kTransmit };
@@ -101,8 +101,8 @@ class Radio {
   /// Whether a PHY header was received at this time or later: PHY-RXSTART.
   bool has_received_since(hal::Time since);
 
-  /// Starts a frame; one that is being received is lost. @pre on, and not transmitting.
-  void transmit(FramePtr frame);
+  /// Starts a PPDU; one that is being received is lost. @pre on, and not transmitting.
+  void transmit(PpduPtr ppdu);
 
   /// Switches the radio; off cuts off its own frame. No callbacks.
   void set_on(bool on);
@@ -114,25 +114,25 @@ class Radio {
   /// effect.
   void prefetch() const;
   void prefetch_listener() const;
-  /// A frame begins to arrive. @param frame  outlives its signal here.
+  /// A PPDU begins to arrive. @param ppdu  outlives its signal here.
   /// @return whether a preamble window was opened, which the caller must close after its time.
-  bool begin_signal(const Frame& frame, const Propagation::Arrival& arrival);
+  bool begin_signal(const Ppdu& ppdu, const Propagation::Arrival& arrival);
   void close_preamble_window() { settle(); }
   /// The faint frames may add up to detectable energy: evaluates the sum at each of their starts
   /// and ends from now on, until it can no longer reach the threshold.
   void watch_energy();
   /// Ends a signal. No effect if it is not present. @param cut  true: before its regular end.
-  void end_signal(const Frame& frame, bool cut);
-  /// Ends a transmission. No effect if the radio is no longer transmitting this frame.
-  void end_transmit(const Frame& frame);
+  void end_signal(const Ppdu& ppdu, bool cut);
+  /// Ends a transmission. No effect if the radio is no longer transmitting this PPDU.
+  void end_transmit(const Ppdu& ppdu);
 
  private:
   struct Signal {
-    const Frame* frame;
+    const Ppdu* ppdu;
     Propagation::Arrival arrival;
     hal::Time start{};
     hal::Time end{};
-    /// Set as soon as the frame can no longer be received.
+    /// Set as soon as the PPDU can no longer be received.
     std::optional<hal::Verdict> verdict;
     bool is_forgotten = false;
   };
@@ -146,18 +146,22 @@ class Radio {
   void settle();
   void take_strongest();
   std::optional<hal::Verdict> refuse(const Signal& signal) const;
-  bool is_foreign(const Frame& frame) const;
+  bool is_foreign(const Ppdu& ppdu) const;
   bool synchronise(Signal& signal);
   bool can_capture(const Signal& signal) const;
   Signal* strongest_in_window();
   void hold(const Signal& signal);
   void lose_all(hal::Verdict verdict);
-  Interference interference(const Frame& wanted) const;
+  Interference interference(const Ppdu& wanted) const;
   FaintSignals& faint();
   void hear();
   void hear_until(hal::Time until);
   void lose_header();
-  Signal* find(const Frame& frame);
+  Signal* find(const Ppdu& ppdu);
+  using Verdicts = boost::container::small_vector<hal::Verdict, 1>;  ///< Of the parts of a PPDU.
+  ReceiveError judge_held(Verdicts& verdicts);
+  void strike(const Signal& signal, bool cut, Verdicts& verdicts) const;
+  void report(const Signal& signal, const Verdicts& verdicts, std::optional<hal::Decibels> snr);
   void release();
   void sense();
   void sense_energy(double sum);
@@ -188,7 +192,7 @@ class Radio {
 
   TimedState<State, 4> state_;
   bool said_busy_ = false;  ///< What the listener was told last.
-  FramePtr sending_;        ///< While transmitting.
+  PpduPtr sending_;         ///< While transmitting.
   hal::Time sending_until_{};
   std::vector<Signal> signals_;  ///< In order of arrival.
   std::optional<Reception> held_;

@@ -19,7 +19,7 @@ void Radio::sense() {
   bool is_busy = held_.has_value();
   for (const Signal& signal : signals_) {
     if (signal.is_forgotten) continue;
-    is_busy |= signal.arrival.power.value >= cca_threshold_ && !is_foreign(*signal.frame);
+    is_busy |= signal.arrival.power.value >= cca_threshold_ && !is_foreign(*signal.ppdu);
     sum += signal.arrival.power.value;
   }
   if (is_busy) {
@@ -73,11 +73,11 @@ void Radio::announce() {
 /// After a wrong header it evaluates the energy again only if the frame lasts longer than the
 /// reported time.
 void Radio::forget_overlap() {
-  const hal::Time header = held_->start() + held_->frame().mode->preamble();
-  const hal::Time end = held_->start() + held_->frame().airtime;
+  const hal::Time header = held_->start() + held_->ppdu().mode->preamble();
+  const hal::Time end = held_->start() + held_->ppdu().airtime;
   hal::Time told{};
   for (const Signal& signal : signals_) {
-    if (signal.frame == &held_->frame()) continue;
+    if (signal.ppdu == &held_->ppdu()) continue;
     if (signal.start >= header && signal.end > told) return recall_all();
     if (signal.start < held_->start()) told = std::max(told, signal.end);
     // Nothing was reported before the preamble was detected.

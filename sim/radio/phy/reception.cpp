@@ -9,9 +9,16 @@
 namespace sim::radio {
 namespace {
 
-/// Duration of the part of [from, to) that lies in [low, high).
-hal::Duration overlap(hal::Time from, hal::Time to, hal::Time low, hal::Time high) {
-  return std::max(hal::Duration{}, std::min(to, high) - std::max(from, low));
+struct Span {
+  hal::Time low, high;
+};
+
+/// Share of a span that lies in [from, to).
+double share(hal::Time from, hal::Time to, Span span) {
+  const hal::Duration common =
+      std::max(hal::Duration{}, std::min(to, span.high) - std::max(from, span.low));
+  if (common == hal::Duration{}) return 0;
+  return hal::to_seconds(common) / hal::to_seconds(span.high - span.low);
 }
 
 }  // namespace
@@ -28,13 +35,14 @@ hal::Verdict cause_of_loss(const ReceptionRules& rules, const Interference& inte
                                                      : hal::Verdict::kInterference;
 }
 
-Reception::Reception(const Frame& frame, double power, hal::Time start, hal::Time locked)
-    : frame_(&frame),
+Reception::Reception(const Ppdu& ppdu, double power, hal::Time start, hal::Time locked)
+    : ppdu_(&ppdu),
       power_(power),
       start_(start),
       locked_(locked),
       heard_until_(locked),
-      min_sinr_(std::numeric_limits<double>::infinity()) {}
+      min_sinr_(std::numeric_limits<double>::infinity()),
+      others_(ppdu.parts.size() - 1, 1.0) {}
 
 void Reception::hear(const ReceptionRules& rules, const Interference& interference, hal::Time now) {
   if (now == heard_until_) return;
@@ -43,47 +51,63 @@ void Reception::hear(const ReceptionRules& rules, const Interference& interferen
   worst_.sum = std::max(worst_.sum, interference.sum);
   worst_.strongest = std::max(worst_.strongest, interference.strongest);
   if (rules.error_model == ErrorModel::kDsss) {
-    success_ *= success_of_interval(sinr, heard_until_, now);
+    count_interval(sinr, heard_until_, now);
   }
   heard_until_ = now;
 }
 
-double Reception::success_of_interval(double sinr, hal::Time from, hal::Time to) const {
-  const PhyMode& mode = *frame_->mode;
+void Reception::count_interval(double sinr, hal::Time from, hal::Time to) {
+  const PhyMode& mode = *ppdu_->mode;
   const hal::Time header = start_ + mode.preamble();
   const hal::Time body = start_ + mode.preamble_and_header();
-  const hal::Time end = start_ + frame_->airtime - mode.signal_extension();
-  // Most intervals belong only to the header or only to the MPDU.
-  const auto share = [from, to](hal::Time low, hal::Time high) {
-    const hal::Duration common = overlap(from, to, low, high);
-    return common == hal::Duration{} ? 0.0 : hal::to_seconds(common) / hal::to_seconds(high - low);
+  const hal::Time end = start_ + ppdu_->airtime - mode.signal_extension();
+  // Most intervals belong only to the header or only to the PSDU.
+  const double header_share = share(from, to, {header, body});
+  if (header_share != 0) header_success_ *= mode.header_success(sinr, header_share);
+  if (ppdu_->is_aggregate()) return count_parts(sinr, from, to);
+  const double body_share = share(from, to, {body, end});
+  if (body_share == 0) return;
+  success_ *= mode.success(sinr, body_share * mode.bits_at_risk(ppdu_->psdu_bits));
+}
+
+/// The MPDUs of an A-MPDU follow each other at the rate of the PSDU.
+void Reception::count_parts(double sinr, hal::Time from, hal::Time to) {
+  const PhyMode& mode = *ppdu_->mode;
+  const hal::Time body = start_ + mode.preamble_and_header();
+  const hal::Time end = start_ + ppdu_->airtime - mode.signal_extension();
+  if (to <= body) return;
+  const double all = ppdu_->psdu_bits;
+  const auto time_of = [&](std::uint32_t bit) {
+    return body + hal::Duration{static_cast<std::int64_t>(
+                      static_cast<double>((end - body).count()) * (bit / all))};
   };
-  const double header_share = share(header, body), body_share = share(body, end);
-  double success = header_share == 0 ? 1 : mode.header_success(sinr, header_share);
-  if (body_share != 0) {
-    success *= mode.success(sinr, body_share * mode.bits_at_risk(frame_->air_length));
+  for (std::size_t i = 0; i < ppdu_->parts.size(); ++i) {
+    const Ppdu::Part& part = ppdu_->parts[i];
+    const double common = share(from, to, {time_of(part.begin), time_of(part.end)});
+    if (common == 0) continue;
+    double& success = i == 0 ? success_ : others_[i - 1];
+    success *= mode.success(sinr, common * (part.end - part.begin));
   }
-  return success;
 }
 
 double Reception::success_at_min_sinr() const {
-  return frame_->mode->header_success(min_sinr_, 1) *
-         frame_->mode->success(min_sinr_, frame_->air_length);
+  return ppdu_->mode->header_success(min_sinr_, 1) *
+         ppdu_->mode->success(min_sinr_, ppdu_->psdu_bits);
 }
 
-hal::Time Reception::header_end() const { return start_ + frame_->mode->preamble_and_header(); }
+hal::Time Reception::header_end() const { return start_ + ppdu_->mode->preamble_and_header(); }
 
 void Reception::judge_header(const ReceptionRules& rules, hal::RandomStream& errors) {
   if (header_ != Header::kComing || heard_until_ < header_end()) return;
   // Drawn even if the outcome is certain: the order in which powers are added may change the last
   // bit of a probability of 1, and must not shift the random stream.
   const bool is_right =
-      rules.error_model == ErrorModel::kMobilityFramework || errors.uniform() < success_;
+      rules.error_model == ErrorModel::kMobilityFramework || errors.uniform() < header_success_;
   header_ = is_right ? Header::kRight : Header::kWrong;
-  success_ = 1;
 }
 
-Reception::Outcome Reception::judge(const ReceptionRules& rules, hal::RandomStream& errors) const {
+Reception::Outcome Reception::judge(std::size_t part, const ReceptionRules& rules,
+                                    hal::RandomStream& errors) const {
   const bool mobility_framework = rules.error_model == ErrorModel::kMobilityFramework;
   if (mobility_framework && min_sinr_ <= rules.min_sinr) {
     return {cause_of_loss(rules, worst_), ReceiveError::kCollision};
@@ -93,7 +117,9 @@ Reception::Outcome Reception::judge(const ReceptionRules& rules, hal::RandomStre
     if (success >= 1 || errors.uniform() < success) return {};
   } else if (header_ == Header::kWrong) {
     return {cause_of_loss(rules, worst_), ReceiveError::kHeader};
-  } else if (errors.uniform() < success_) {  // drawn even if the outcome is certain, as above
+  } else if (errors.uniform() <
+             (part == 0 ? success_
+                        : others_[part - 1])) {  // drawn even if the outcome is certain, as above
     return {};
   }
   return {cause_of_loss(rules, worst_), ReceiveError::kBitError};

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "hal/types/random.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
-#include "sim/radio/mac/frame.h"
+#include "sim/radio/mac/ppdu.h"
 #include "sim/radio/radio_config.h"
 
 namespace sim::radio {
@@ -37,16 +38,16 @@ struct Interference {
 /// itself, or the sum of weaker ones.
 hal::Verdict cause_of_loss(const ReceptionRules& rules, const Interference& interference);
 
-/// Reception of one frame from the time when the receiver has synchronised to it until its end.
-/// SINR is piecewise constant; intervals of no length do not count.
+/// Reception of one PPDU from the time when the receiver has synchronised to it until its end.
+/// SINR is piecewise constant; intervals of no length do not count. Each MPDU is lost by itself,
+/// unless the PHY header is wrong.
 class Reception {
  public:
   /// @param power  mW
-  /// @param start  of the frame's preamble at this receiver. @param locked  time of
-  /// synchronisation.
-  Reception(const Frame& frame, double power, hal::Time start, hal::Time locked);
+  /// @param start  of the preamble at this receiver. @param locked  time of synchronisation.
+  Reception(const Ppdu& ppdu, double power, hal::Time start, hal::Time locked);
 
-  const Frame& frame() const { return *frame_; }
+  const Ppdu& ppdu() const { return *ppdu_; }
   double power() const { return power_; }  ///< mW
   hal::Time start() const { return start_; }
   hal::Time locked() const { return locked_; }
@@ -69,26 +70,29 @@ class Reception {
     hal::Verdict verdict = hal::Verdict::kDelivered;
     ReceiveError error = ReceiveError::kBitError;  ///< If not delivered.
   };
-  /// Decides the outcome at the frame's end, after the last hear(). kDsss: draws once from `errors`
-  /// unless the header was wrong. kMobilityFramework: draws unless the SINR alone decides.
-  Outcome judge(const ReceptionRules& rules, hal::RandomStream& errors) const;
+  /// Decides the outcome of an MPDU at the PPDU's end, after the last hear(); call it once for
+  /// each, in order. kDsss: draws once from `errors` unless the header was wrong.
+  /// kMobilityFramework: draws unless the SINR alone decides.
+  Outcome judge(std::size_t part, const ReceptionRules& rules, hal::RandomStream& errors) const;
 
   double min_sinr() const { return min_sinr_; }  ///< Ratio, not dB.
 
  private:
   enum class Header : std::uint8_t { kComing, kRight, kWrong };
 
-  double success_of_interval(double sinr, hal::Time from, hal::Time to) const;
+  void count_interval(double sinr, hal::Time from, hal::Time to);
+  void count_parts(double sinr, hal::Time from, hal::Time to);
   double success_at_min_sinr() const;
 
-  const Frame* frame_;
+  const Ppdu* ppdu_;
   double power_;
   hal::Time start_;
   hal::Time locked_;
   hal::Time heard_until_;
   double min_sinr_;
-  /// kDsss: product over all intervals so far of the header, then of the MPDU.
-  double success_ = 1;
+  /// kDsss: product over all intervals so far of the header, and of the first MPDU.
+  double header_success_ = 1, success_ = 1;
+  std::vector<double> others_;  ///< The same of the other MPDUs.
   Header header_ = Header::kComing;
   Interference worst_;
 };

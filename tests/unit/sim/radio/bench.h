@@ -20,15 +20,15 @@ class Listener final : public RadioListener {
   void on_medium_busy() override { said.emplace_back("busy"); }
   void on_medium_idle() override { said.emplace_back("idle"); }
   void on_receive_start() override { said.emplace_back("start"); }
-  void on_receive(const Frame&, hal::Dbm rssi, hal::Decibels snr) override {
+  void on_receive(const ReceivedPpdu& received) override {
     said.emplace_back("frame");
-    last_rssi = rssi;
-    last_snr = snr;
+    last_rssi = received.rssi;
+    last_snr = received.snr;
   }
   void on_receive_error(ReceiveError error) override {
     said.emplace_back(error == ReceiveError::kCollision ? "collision" : "error");
   }
-  void on_transmit_end(const Frame&) override { said.emplace_back("sent"); }
+  void on_transmit_end(const Ppdu&) override { said.emplace_back("sent"); }
 
   std::vector<std::string> said;
   hal::Dbm last_rssi;
@@ -76,7 +76,7 @@ class Bench {
                                        .payload = std::make_shared<const hal::Bytes>(bytes)},
                                       {});
     events.schedule(hal::Time{} + time, Rank::kRadio, hal::AgentId{station},
-                    [this, station, frame] { radio(station).transmit(frame); });
+                    [this, station, frame] { radio(station).transmit(ppdu_of(frame)); });
   }
   void run() {
     while (events.next_time()) events.run_next();
