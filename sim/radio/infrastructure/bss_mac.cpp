@@ -6,7 +6,12 @@
 namespace sim::radio {
 
 BssMac::BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf)
-    : MacBase(context), config_(config), dcf_(std::move(dcf)) {
+    : MacBase(context),
+      config_(config),
+      dcf_(std::move(dcf)),
+      most_handed_(config.qos ? std::min<std::size_t>(2 * config.aggregation.block_ack_window,
+                                                      config.contention.queue_limit)
+                              : 1) {
   dcf_->set_listener(*this);
 }
 
@@ -102,11 +107,12 @@ void BssMac::discard_expired() {
 }
 
 void BssMac::serve() {
-  while (!is_busy_ && radio_on()) {
+  while (handed_ < most_handed_ && radio_on()) {
     if (!management_.empty()) {
       const MacRequest frame = std::move(management_.front());
       management_.pop_front();
-      return hand_down(frame);
+      hand_down(frame);
+      continue;
     }
     discard_expired();
     if (data_.empty() || !is_open()) return;
@@ -115,27 +121,31 @@ void BssMac::serve() {
     std::optional<MacRequest> frame = frame_for(waiting);
     if (!frame) continue;
     frame->header.since = waiting.since;
-    serving_ = std::move(waiting);
-    return hand_down(*frame);
+    frame->header.ticket = ++tickets_;
+    serving_.emplace(tickets_, Serving{std::move(waiting), now()});
+    hand_down(*frame);
   }
 }
 
 void BssMac::hand_down(const MacRequest& frame) {
-  is_busy_ = true;
-  serving_since_ = now();
+  ++handed_;
   dcf_->transmit(frame);
 }
 
 void BssMac::on_sent(const MacRequest& request, hal::Verdict verdict) {
-  is_busy_ = false;
-  const std::optional<Waiting> served = std::exchange(serving_, std::nullopt);
-  if (!served) {
+  --handed_;
+  const hal::Time previous_end = std::exchange(last_end_, now());
+  auto served = serving_.extract(request.header.ticket);
+  if (served.empty()) {
     on_management_sent(request, verdict);
     return serve();
   }
-  if (verdict == hal::Verdict::kDelivered) learn_service_time(now() - serving_since_);
+  const Serving& one = served.mapped();
+  if (verdict == hal::Verdict::kDelivered) {
+    learn_service_time(now() - std::max(one.since, previous_end));
+  }
   serve();
-  end(*served, verdict);
+  end(one.waiting, verdict);
 }
 
 void BssMac::end_later(Waiting waiting, hal::Verdict verdict) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -10,8 +11,9 @@
 namespace sim::radio {
 
 /// The common part of an access point and of the stations of its BSS: a queue above the DCF, which
-/// gets one frame at a time, so that waiting frames can take another path after a handover. Beacons
-/// precede other management frames, and those precede data.
+/// gets one frame at a time, so that waiting frames can take another path after a handover; with
+/// QoS as many as two A-MPDUs can have. Beacons precede other management frames, and those precede
+/// data.
 class BssMac : public MacBase, protected FrameListener {
  public:
   MacCapabilities capabilities() const final { return dcf_->capabilities(); }
@@ -59,7 +61,7 @@ class BssMac : public MacBase, protected FrameListener {
   void end_later(Waiting waiting, hal::Verdict verdict);
 
  private:
-  std::size_t queued() const final { return data_.size() + (serving_ ? 1u : 0u); }
+  std::size_t queued() const final { return data_.size() + serving_.size(); }
   void on_sent(const MacRequest& request, hal::Verdict verdict) final;
   void end(const Waiting& waiting, hal::Verdict verdict);
   void discard_expired();
@@ -69,9 +71,16 @@ class BssMac : public MacBase, protected FrameListener {
   std::unique_ptr<DcfMac> dcf_;
   std::deque<MacRequest> management_;
   std::deque<Waiting> data_;
-  bool is_busy_ = false;            ///< The DCF has a frame.
-  std::optional<Waiting> serving_;  ///< The request in service, if it is data.
-  hal::Time serving_since_{};
+  /// A request that the DCF has.
+  struct Serving {
+    Waiting waiting;
+    hal::Time since{};
+  };
+  std::size_t most_handed_;                   ///< Frames that the DCF may have.
+  std::size_t handed_ = 0;                    ///< Frames that the DCF has.
+  std::map<std::uint64_t, Serving> serving_;  ///< Data among them, by their tickets.
+  std::uint64_t tickets_ = 0;                 ///< Number of tickets given out.
+  hal::Time last_end_{};                      ///< When a frame of the DCF ended.
 };
 
 }  // namespace sim::radio

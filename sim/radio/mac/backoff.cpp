@@ -4,15 +4,15 @@
 
 namespace sim::radio {
 
-Backoff::Backoff(EventQueue& events, hal::AgentId agent, const DcfTiming& timing,
-                 hal::RandomStream random, AccessListener& listener)
+Backoff::Backoff(EventQueue& events, hal::AgentId agent, const AccessTiming& timing,
+                 hal::RandomStream& random, AccessListener& listener)
     : events_(events),
       agent_(agent),
       timing_(timing),
       random_(random),
       listener_(listener),
-      // Nothing was sent before the run began, so the medium has been idle for a DIFS.
-      idle_since_(events.now() - timing.difs) {}
+      // Nothing was sent before the run began, so the medium has been idle for an AIFS.
+      idle_since_(events.now() - timing.aifs) {}
 
 void Backoff::request(std::uint32_t contention_window) {
   if (wanted_) return;
@@ -50,10 +50,6 @@ void Backoff::on_idle() {
   schedule();
 }
 
-void Backoff::restart_idle() {
-  if (!busy_) idle_since_ = events_.now();
-}
-
 void Backoff::reset(bool busy) {
   events_.cancel(access_);
   busy_ = busy;
@@ -61,23 +57,23 @@ void Backoff::reset(bool busy) {
   backing_off_ = false;
   slots_ = 0;
   idle_since_ = events_.now();
-  not_before_ = {};
+  held_until_ = hal::Time::min();
 }
 
 hal::Time Backoff::counting_from() const {
-  return std::max(idle_since_ + timing_.difs, not_before_);
+  return std::max(idle_since_, held_until_) + timing_.aifs;
 }
 
-/// Only whole idle slots after the interframe space count; an interrupted slot is counted again
-/// later.
+/// With DCF only whole idle slots after the interframe space count; an interrupted slot is counted
+/// again later.
 void Backoff::count_slots(hal::Time until) {
   const hal::Duration counted = until - counting_from();
   if (!backing_off_ || counted < hal::Duration{}) return;
-  const std::int64_t passed = counted / timing_.slot;
+  const std::int64_t passed = counted / timing_.slot + (timing_.counts_first ? 1 : 0);
   if (passed >= slots_ && !wanted_) backing_off_ = false;
   // Counting continues from the slot boundary, so no slot is counted twice.
+  idle_since_ = counting_from() + passed * timing_.slot - timing_.aifs;
   slots_ -= std::min(slots_, passed);
-  idle_since_ = until - counted % timing_.slot - timing_.difs;
 }
 
 void Backoff::schedule() {

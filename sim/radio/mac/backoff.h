@@ -6,7 +6,6 @@
 #include "hal/types/random.h"
 #include "hal/types/time.h"
 #include "sim/core/event_queue.h"
-#include "sim/radio/mac/dcf_timing.h"
 
 namespace sim::radio {
 
@@ -29,9 +28,20 @@ class ContentionWindow {
   std::uint32_t min_, max_, value_;
 };
 
-/// DCF access and backoff of one station (IEEE Std 802.11-2016, 10.3.4.2 and 10.3.4.3).
+/// Intervals of one contention function.
+struct AccessTiming {
+  hal::Duration slot;
+  hal::Duration aifs;      ///< DIFS, or AIFS of the access category.
+  hal::Duration cca_time;  ///< As in DcfTiming.
+  /// EDCA: the first slot is counted at the end of the AIFS, whether it stays idle or not (IEEE Std
+  /// 802.11-2020, 10.23.2.4); DCF: each slot at its end, if it was idle (10.3.4.3).
+  bool counts_first = false;
+};
+
+/// Access and backoff of one contention function (IEEE Std 802.11-2020, 10.3.4.2, 10.3.4.3 and
+/// 10.23.2).
 ///
-///               draw()                 medium idle for DIFS or EIFS
+///               draw()                 medium idle for DIFS, AIFS or EIFS
 ///   no backoff ------------> frozen <-------------------------> counting
 ///      ^                             medium busy                   |
 ///      +--------------- all slots counted: on_access(), if wanted -+
@@ -43,8 +53,9 @@ class ContentionWindow {
 /// only while access is requested.
 class Backoff {
  public:
-  Backoff(EventQueue& events, hal::AgentId agent, const DcfTiming& timing, hal::RandomStream random,
-          AccessListener& listener);
+  /// @param random,listener  outlive this object.
+  Backoff(EventQueue& events, hal::AgentId agent, const AccessTiming& timing,
+          hal::RandomStream& random, AccessListener& listener);
 
   /// Asks for access: on_access() is called once, as soon as the rules allow, and never from within
   /// this call. No effect if access has already been requested.
@@ -57,11 +68,8 @@ class Backoff {
   void on_busy(std::uint32_t contention_window);
   void on_idle();
 
-  /// Treats the time until now as busy, after the station's own response timeout.
-  void restart_idle();
-
-  /// No slot is counted before this time: the end of an EIFS.
-  void hold_until(hal::Time until) { not_before_ = until; }
+  /// Treats the medium as busy until this time, which may lie in the future: during an EIFS.
+  void hold_until(hal::Time until) { held_until_ = until; }
 
   /// Resets all state when the radio is switched off. @param busy  state of the medium.
   void reset(bool busy);
@@ -73,8 +81,8 @@ class Backoff {
 
   EventQueue& events_;
   hal::AgentId agent_;
-  DcfTiming timing_;
-  hal::RandomStream random_;
+  AccessTiming timing_;
+  hal::RandomStream& random_;
   AccessListener& listener_;
 
   bool busy_ = false;
@@ -82,7 +90,7 @@ class Backoff {
   bool backing_off_ = false;
   std::int64_t slots_ = 0;  ///< Slots left to count.
   hal::Time idle_since_{};
-  hal::Time not_before_{};
+  hal::Time held_until_ = hal::Time::min();
   EventQueue::EventId access_;
   hal::Time access_at_{};
 };

@@ -1,307 +1,228 @@
 #include "sim/radio/mac/dcf_mac.h"
 
 #include <utility>
-
-#include "sim/radio/mac/frame_lengths.h"
+#include <variant>
 
 namespace sim::radio {
+namespace {
+
+/// Handles the alternatives of a variant.
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+
+}  // namespace
+
 DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
                const Streams& streams)
     : MacBase(context),
       config_(config),
       radio_(radio),
       frames_(context.lengths, context.modes, context.agent),
-      timing_(config, context.modes),
-      backoff_(context.events, context.agent, timing_, streams.backoff, *this),
-      window_(config.contention.cw_min, config.contention.cw_max),
-      retries_(config.contention.short_retry_limit, config.long_retry_limit),
-      queue_(config.contention.queue_limit),
-      ladders_(make_ladder(config, context.modes), context.cell),
-      rates_(make_rate_control(config.rate_control, ladders_, streams.rates)),
-      protection_(config, context.modes, context.cell) {
+      access_(context.events, context.agent, config, DcfTiming(config, context.modes),
+              streams.backoff, *this),
+      carrier_(context.events, radio, access_, config, context.modes),
+      originator_({.config = config,
+                   .modes = context.modes,
+                   .lengths = context.lengths,
+                   .cell = context.cell,
+                   .agent = context.agent,
+                   .functions = access_.functions(),
+                   .rates = streams.rates},
+                  frames_),
+      recipient_(context.events, context.agent, config, frames_, *this),
+      sequence_({context.events, radio, carrier_, context.modes}, frames_, originator_, *this) {
   radio_.attach(*this);
 }
 
 void DcfMac::transmit(const MacRequest& request) {
   check(request);
   if (!radio_on()) return report_later(request, hal::Verdict::kRadioOff);
-  if (queue_.is_full()) return report_later(request, hal::Verdict::kQueueFull);
-  queue_.push(request, now());
-  ask_for_medium();
+  const ContentionFunction function = originator_.function_of(request);
+  if (originator_.room(function) == 0) return report_later(request, hal::Verdict::kQueueFull);
+  originator_.push(request, now());
+  ask(function);
 }
 
 void DcfMac::set_radio(bool on) {
   if (on == radio_on()) return;
   radio_.set_on(on);
-  for (EventQueue::EventId* event : {&sifs_, &no_answer_, &nav_end_, &nav_reset_}) {
-    events().cancel(*event);
-  }
-  state_ = State::kIdle;
-  awaiting_ = false;
-  answer_.reset();
-  nav_.reset();
-  last_was_wrong_ = false;
-  window_.reset();
-  retries_.reset();
-  backoff_.reset(radio_.state() != Radio::State::kIdle);
-  for (Outgoing& outgoing : queue_.take_all()) {
-    report_later(std::move(outgoing.request), hal::Verdict::kRadioOff);
-  }
+  sequence_.reset();
+  carrier_.reset();
+  recipient_.reset();
+  EndedMsdus ended = originator_.take_all();
+  end_all_later(ended);
 }
 
-void DcfMac::update_medium() {
-  if (radio_.state() != Radio::State::kIdle || nav_.is_set(now())) {
-    backoff_.on_busy(window_.value());
+/// Asks for the medium, unless the function has it.
+void DcfMac::ask(ContentionFunction function) {
+  const bool has_it = !sequence_.is_idle() && sequence_.exchange().function == function;
+  if (!has_it && originator_.has_work(function)) access_.request(function);
+}
+
+void DcfMac::on_access(ContentionFunction function) {
+  // Within the CCA time another function of this station has begun to send.
+  if (!sequence_.is_idle()) return go_on(function, true);
+  const hal::Duration limit = access_.txop_limit(function);
+  txop_end_ = now() + limit;
+  const bool is_limited = limit > hal::Duration{};
+  EndedMsdus expired;
+  const std::optional<Exchange> exchange =
+      originator_.next(function, now(), {is_limited ? limit : hal::Duration::max(), true}, expired);
+  end_all_later(expired);
+  if (exchange) sequence_.start(*exchange);
+}
+
+void DcfMac::on_internal_collision(ContentionFunction function) {
+  EndedMsdus ended;
+  const bool given_up = originator_.on_internal_collision(function, now(), ended);
+  go_on(function, given_up);
+  end_all_later(ended);
+}
+
+/// Starts the next backoff of a function, and asks for the medium if there is something to send.
+void DcfMac::go_on(ContentionFunction function, bool window_starts_anew) {
+  if (window_starts_anew) {
+    access_.reset_window(function);
   } else {
-    backoff_.on_idle();
+    access_.grow_window(function);
+  }
+  access_.draw(function);
+  ask(function);
+}
+
+void DcfMac::on_exchange_end(ExchangeEnd end, const BlockAckFields* answer) {
+  const Exchange exchange = sequence_.exchange();
+  EndedMsdus ended;
+  bool window_starts_anew = true;
+  const hal::Duration took = now() - originator_.service_since(exchange);
+  switch (end) {
+    case ExchangeEnd::kDelivered:
+      originator_.on_delivered(exchange, now(), ended);
+      break;
+    case ExchangeEnd::kBlockAck:
+      originator_.on_block_ack(exchange, *answer, now(), ended);
+      break;
+    case ExchangeEnd::kNoCts:
+    case ExchangeEnd::kNoAnswer:
+      window_starts_anew =
+          originator_.on_failure(exchange, end == ExchangeEnd::kNoAnswer, now(), ended);
+      break;
+  }
+  const bool is_success = end == ExchangeEnd::kDelivered || end == ExchangeEnd::kBlockAck;
+  if (is_success && !ended.empty()) {
+    learn_service_time(took / static_cast<std::int64_t>(ended.size()));
+  }
+  if (!is_success || !continues_txop(exchange)) go_on(exchange.function, window_starts_anew);
+  end_all(ended);
+}
+
+/// Starts the next exchange in the same TXOP if there is one and it fits.
+bool DcfMac::continues_txop(const Exchange& exchange) {
+  const ContentionFunction function = exchange.function;
+  if (access_.txop_limit(function) == hal::Duration{}) return false;
+  const hal::Duration left = txop_end_ - now() - carrier_.timing().sifs;
+  if (left <= hal::Duration{}) return false;
+  EndedMsdus expired;
+  const std::optional<Exchange> next = originator_.next(function, now(), {left, false}, expired);
+  end_all_later(expired);
+  if (!next) return false;
+  access_.reset_window(function);
+  sequence_.start_after_sifs(*next);
+  return true;
+}
+
+void DcfMac::end_all(const EndedMsdus& ended) {
+  for (const EndedMsdu& one : ended) {
+    if (one.request.header.type != FrameType::kAction) report(one.request, one.verdict);
   }
 }
 
-void DcfMac::on_medium_idle() {
-  // EIFS is counted from the end of physical carrier sense, whatever the NAV is (10.3.2.3.7).
-  if (std::exchange(last_was_wrong_, false)) backoff_.hold_until(now() + timing_.eifs);
-  update_medium();
-}
-
-void DcfMac::set_nav(const Frame& frame) {
-  if (!nav_.extend(now() + frame.duration)) return;
-  events().cancel(nav_end_);
-  events().cancel(nav_reset_);
-  nav_end_ = events().schedule(nav_.until(), Rank::kRadio, agent(), [this] { update_medium(); });
-  if (frame.type == FrameType::kRts) {
-    const hal::Time since = now();
-    nav_reset_ =
-        events().schedule(since + timing_.nav_reset(modes().response_to(*frame.mode)), Rank::kRadio,
-                          agent(), [this, since] { reset_nav_unless_used(since); });
+void DcfMac::end_all_later(EndedMsdus& ended) {
+  for (EndedMsdu& one : ended) {
+    if (one.request.header.type == FrameType::kAction) continue;
+    report_later(std::move(one.request), one.verdict);
   }
-}
-
-/// 10.3.2.4: resets the NAV if no PHY-RXSTART has followed the RTS.
-void DcfMac::reset_nav_unless_used(hal::Time since) {
-  if (radio_.has_received_since(since)) return;
-  events().cancel(nav_end_);
-  nav_.reset();
-  update_medium();
-}
-
-void DcfMac::ask_for_medium() {
-  if (state_ == State::kIdle && !queue_.is_empty()) backoff_.request(window_.value());
-}
-
-void DcfMac::on_access() {
-  discard_expired();
-  if (queue_.is_empty()) return;
-  choose_exchange();
-  if (opening_ == Opening::kRts) {
-    state_ = State::kWaitCts;
-    return send(make_rts());
-  }
-  if (opening_ == Opening::kCtsToSelf) {
-    state_ = State::kReserving;
-    return send(make_cts_to_self());
-  }
-  open_exchange();
-  send(make_data());
-}
-
-/// Enters the state in which the data frame is sent.
-void DcfMac::open_exchange() {
-  state_ = queue_.head().is_broadcast() ? State::kBroadcasting : State::kWaitAck;
-}
-
-/// Whether rate control chooses the mode of the head: unicast data.
-bool DcfMac::has_rate_control() {
-  return !queue_.head().is_broadcast() && !is_management(queue_.head().request.header.type);
-}
-
-void DcfMac::choose_exchange() {
-  const Outgoing& head = queue_.head();
-  const MacRequest& request = head.request;
-  data_mode_ = has_rate_control() ? &rates_->mode(request.destination, head.attempts, now())
-                                  : &frames_.data_mode(request);
-  opening_ =
-      protection_.opening(head.is_broadcast(), *data_mode_,
-                          mpdu_bits(lengths(), request.header.type, request.payload->size()));
-}
-
-bool DcfMac::is_expired() {
-  const Outgoing& head = queue_.head();
-  return config_.msdu_lifetime && !is_management(head.request.header.type) &&
-         now() - head.queued > *config_.msdu_lifetime;
-}
-
-void DcfMac::discard_expired() {
-  while (!queue_.is_empty() && is_expired()) {
-    retries_.reset();
-    report_later(queue_.pop(now()), hal::Verdict::kExpired);
-  }
-}
-
-void DcfMac::send(const FramePtr& frame) {
-  radio_.transmit(ppdu_of(frame));
-  update_medium();
-}
-
-void DcfMac::on_transmit_end(const Ppdu& ppdu) {
-  const Frame& frame = ppdu.first();
-  backoff_.hold_until({});
-  last_was_wrong_ = false;
-  update_medium();
-  if (state_ == State::kReserving) {
-    open_exchange();
-    return answer(make_data());
-  }
-  if (state_ == State::kBroadcasting) return succeed();
-  if (frame.type == FrameType::kCts || frame.type == FrameType::kAck) return;
-  awaiting_ = true;
-  const hal::Duration timeout = timing_.response_timeout(modes().response_to(*frame.mode));
-  no_answer_ =
-      events().schedule(now() + timeout, Rank::kRadio, agent(), [this] { on_no_answer(); });
-}
-
-/// If there was a PHY-RXSTART, the frame may be the response, and its end decides (10.3.2.9).
-void DcfMac::on_no_answer() {
-  const bool has_begun = radio_.is_receiving();
-  if (awaiting_ && !has_begun) fail();
-}
-
-void DcfMac::fail() {
-  events().cancel(no_answer_);
-  awaiting_ = false;
-  const bool was_data = state_ == State::kWaitAck;
-  const bool after_rts = was_data && opening_ == Opening::kRts;
-  const auto kind = after_rts ? RetryCounters::Kind::kLong : RetryCounters::Kind::kShort;
-  // An RTS without a response says nothing about the rate of data.
-  if (was_data && has_rate_control()) rates_->on_result(queue_.head().request.destination, false);
-  state_ = State::kIdle;
-  backoff_.restart_idle();
-  const bool is_last = retries_.fail(kind);
-  if (!is_last && !is_expired()) {
-    window_.grow();
-    backoff_.draw(window_.value());
-    return ask_for_medium();
-  }
-  report(end_service(false), is_last ? hal::Verdict::kRetryLimit : hal::Verdict::kExpired);
-}
-
-void DcfMac::succeed() {
-  events().cancel(no_answer_);
-  awaiting_ = false;
-  if (state_ == State::kWaitAck && has_rate_control()) {
-    rates_->on_result(queue_.head().request.destination, true);
-  }
-  state_ = State::kIdle;
-  report(end_service(true), hal::Verdict::kDelivered);
-}
-
-MacRequest DcfMac::end_service(bool count_time) {
-  if (count_time) learn_service_time(now() - queue_.head_since());
-  MacRequest done = queue_.pop(now());
-  window_.reset();
-  retries_.reset();
-  backoff_.draw(window_.value());
-  ask_for_medium();
-  return done;
-}
-
-/// Duration of SIFS and ACK, if there is an ACK.
-hal::Duration DcfMac::after_data() {
-  if (queue_.head().is_broadcast()) return {};
-  return timing_.sifs + frames_.response_airtime(FrameType::kAck, *data_mode_);
-}
-
-hal::Duration DcfMac::data_and_after() {
-  return timing_.sifs + frames_.data_airtime(queue_.head().request, *data_mode_) + after_data();
-}
-
-FramePtr DcfMac::make_rts() {
-  const hal::AgentId to = queue_.head().request.destination;
-  const PhyMode& mode = protection_.mode(to, *data_mode_);
-  const hal::Duration cts = frames_.response_airtime(FrameType::kCts, mode);
-  return frames_.rts(to, timing_.sifs + cts + data_and_after(), mode);
-}
-
-FramePtr DcfMac::make_cts_to_self() {
-  return frames_.cts_to_self(data_and_after(), protection_.mode(agent(), *data_mode_));
-}
-
-FramePtr DcfMac::make_data() {
-  Outgoing& head = queue_.head();
-  const bool retry = head.attempts++ > 0;
-  return frames_.data(head.request, {.sequence = head.sequence,
-                                     .retry = retry,
-                                     .duration = after_data(),
-                                     .mode = data_mode_,
-                                     .at = now()});
 }
 
 void DcfMac::on_receive(const ReceivedPpdu& received) {
+  // All MPDUs of a PPDU have the same receiver and Duration.
   const Frame& frame = received.ppdu.first();
-  const hal::Dbm rssi = received.rssi;
-  const hal::Decibels snr = received.snr;
-  last_was_wrong_ = false;
-  backoff_.hold_until({});
-  const bool for_us = frame.receiver == agent();
-  const bool awaited = awaiting_ && for_us &&
-                       ((state_ == State::kWaitCts && frame.type == FrameType::kCts) ||
-                        (state_ == State::kWaitAck && frame.type == FrameType::kAck));
-  if (!awaited && awaiting_) fail();
-  if (for_us) {
-    if (awaited || frame.type == FrameType::kRts || !is_control(frame.type)) {
-      on_unicast(frame, rssi, snr);
-    }
+  carrier_.on_right_frame();
+  const bool is_answer = sequence_.is_answer(frame);
+  if (!is_answer) sequence_.on_wrong_answer();
+  if (frame.receiver == agent()) {
+    if (is_answer) return sequence_.on_answer(frame);
+    on_unicast(received);
   } else if (frame.is_broadcast()) {
-    hand_up(frame, rssi, snr);
+    hand_up(frame, received.rssi, received.snr);
   } else {
-    set_nav(frame);
+    carrier_.set_nav(frame);
   }
 }
 
 void DcfMac::on_receive_error(ReceiveError error) {
   const bool had_start = error != ReceiveError::kHeader;  // PHY-RXSTART
-  if (had_start || config_.receiver.header_error == HeaderError::kEifs) begin_eifs();
+  if (had_start || config_.receiver.header_error == HeaderError::kEifs) carrier_.begin_eifs();
   // Without PHY-RXSTART the timeout continues.
-  if (had_start && awaiting_) fail();
+  if (had_start) sequence_.on_wrong_answer();
 }
 
-void DcfMac::begin_eifs() {
-  if (config_.eifs_start == EifsStart::kFrameEnd) {
-    backoff_.hold_until(now() + timing_.eifs);
-  } else {
-    last_was_wrong_ = true;
+void DcfMac::on_unicast(const ReceivedPpdu& received) {
+  const Frame& frame = received.ppdu.first();
+  if (frame.type == FrameType::kRts) {
+    // Another station near this one has reserved the medium: no CTS (10.3.2.9).
+    if (!carrier_.is_reserved()) sequence_.answer(frames_.cts(frame, carrier_.timing().sifs));
+    return;
   }
-}
-
-void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
-  switch (frame.type) {
-    case FrameType::kRts:
-      // Another station near this one has reserved the medium: no CTS (10.3.2.7).
-      if (nav_.is_set(now())) return;
-      return answer(frames_.cts(frame, timing_.sifs));
-    case FrameType::kCts:
-      events().cancel(no_answer_);
-      awaiting_ = false;
-      retries_.succeed(RetryCounters::Kind::kShort);
-      state_ = State::kWaitAck;
-      return answer(make_data());
-    case FrameType::kAck:
-      return succeed();
-    default:
-      return on_data(frame, rssi, snr);
+  if (frame.type == FrameType::kBlockAckRequest) {
+    if (FramePtr answer = recipient_.answer_to_request(frame)) sequence_.answer(std::move(answer));
+    return;
   }
+  if (is_control(frame.type)) return;
+  if (FramePtr answer = recipient_.answer_to(received)) sequence_.answer(std::move(answer));
+  recipient_.accept(received);
 }
 
-void DcfMac::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
-  answer(frames_.ack(frame));
-  if (duplicates_.is_duplicate(frame.transmitter, frame.sequence, frame.retry)) return;
+void DcfMac::on_mpdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+  if (frame.type == FrameType::kAction) return on_action(frame);
+  if (frame.amsdu != nullptr) return on_amsdu(frame, rssi, snr);
   hand_up(frame, rssi, snr);
 }
 
-void DcfMac::answer(FramePtr frame) {
-  answer_ = std::move(frame);
-  events().cancel(sifs_);
-  sifs_ = events().schedule(now() + timing_.sifs, Rank::kRadio, agent(),
-                            [this] { send(std::exchange(answer_, nullptr)); });
+void DcfMac::on_action(const Frame& frame) {
+  const std::optional<BlockAckAction> action = decode_block_ack_action(*frame.payload);
+  if (!action) return;
+  const hal::AgentId from = frame.transmitter;
+  std::visit(Overloaded{[&](const AddBlockAckRequest& one) { recipient_.on_request(from, one); },
+                        [&](const AddBlockAckResponse& one) { originator_.on_response(from, one); },
+                        [&](const DeleteBlockAck& one) {
+                          if (one.by_originator) return recipient_.on_delete(from, one);
+                          originator_.on_delete(from, one);
+                        }},
+             *action);
+}
+
+void DcfMac::on_amsdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+  for (const AmsduPart& part : *frame.amsdu) {
+    Frame msdu = frame;
+    msdu.amsdu = nullptr;
+    msdu.ethertype = part.ethertype;
+    msdu.payload = part.payload;
+    msdu.tag = part.tag;
+    if (frame.ds == Ds::kTo) msdu.address3 = part.destination;
+    if (frame.ds == Ds::kFrom) msdu.address3 = part.source;
+    hand_up(msdu, rssi, snr);
+  }
+}
+
+void DcfMac::send_action(hal::AgentId to, const BlockAckAction& action) {
+  const MacRequest request{.destination = to,
+                           .payload = std::make_shared<const hal::Bytes>(encode(action)),
+                           .header = {.type = FrameType::kAction}};
+  originator_.push_front(request, now());
+  ask(originator_.function_of(request));
 }
 
 }  // namespace sim::radio

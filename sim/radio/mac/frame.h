@@ -2,15 +2,26 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/radio/mac/block_ack_fields.h"
 #include "sim/radio/mac/mac_header.h"
 #include "sim/radio/mac/mac_sap.h"
 #include "sim/radio/phy/phy_mode.h"
 
 namespace sim::radio {
+
+/// One MSDU of an A-MSDU (IEEE Std 802.11-2020, 9.3.2.2.2).
+struct AmsduPart {
+  hal::AgentId source{};
+  hal::AgentId destination{};
+  Ethertype ethertype = 0;
+  Payload payload{};
+  std::uint64_t tag = 0;
+};
 
 /// Contents of a frame and its transmission parameters. Its transmitter makes it once; all
 /// receivers share it unchanged. codec.h converts it to bytes where bytes are needed.
@@ -29,12 +40,20 @@ struct Frame {
   /// Mode of transmission; outlives the frame. Null if the frame was decoded from bytes.
   const PhyMode* mode = nullptr;
   std::uint32_t air_length = 0;  ///< Length of the MPDU with FCS, bits.
-  hal::Duration airtime{};       ///< Preamble, PLCP header and MPDU.
-  std::uint8_t priority = 0;     ///< Data.
-  Ethertype ethertype = 0;       ///< Data.
-  Payload payload{};             ///< Data: payload; management: frame body (management.h).
-  std::uint64_t tag = 0;         ///< Data: the tag of the client's request.
-  GroupAddress group = 0;        ///< Data to kEveryone: as in MacRequest.
+  /// Preamble, PLCP header and MPDU; of an A-MPDU the part that this MPDU takes.
+  hal::Duration airtime{};
+  std::uint8_t priority = 0;  ///< Data.
+  Ethertype ethertype = 0;    ///< Data.
+  Payload payload{};          ///< Data: payload; management: frame body (management.h).
+  std::uint64_t tag = 0;      ///< Data: the tag of the client's request.
+  GroupAddress group = 0;     ///< Data to kEveryone: as in MacRequest.
+  bool qos = false;           ///< Data: has the QoS header, whose TID is the priority.
+  /// Number of its A-MPDU among those of the transmitter, from 1 on; 0: not in an A-MPDU.
+  std::uint32_t ampdu = 0;
+  bool is_last_of_ampdu = false;
+  std::shared_ptr<const BlockAckFields> block_ack{};  ///< BlockAck and BlockAckReq.
+  /// A-MSDU: its MSDUs, in place of payload, ethertype and tag.
+  std::shared_ptr<const std::vector<AmsduPart>> amsdu{};
 
   bool is_broadcast() const { return receiver == hal::kEveryone; }
   /// Data: original source and final destination, whatever access points lie between.

@@ -48,6 +48,22 @@ FramePtr FrameFactory::cts_to_self(hal::Duration duration, const PhyMode& mode) 
   return control(FrameType::kCts, mode, agent_, duration);
 }
 
+FramePtr FrameFactory::block_ack_request(hal::AgentId to, const BlockAckFields& fields,
+                                         hal::Duration duration, const PhyMode& mode) {
+  auto frame = blank(FrameType::kBlockAckRequest, to);
+  frame->duration = duration;
+  frame->block_ack = std::make_shared<const BlockAckFields>(fields);
+  send_in(mode, mpdu_bits(lengths_, FrameType::kBlockAckRequest), *frame);
+  return frame;
+}
+
+FramePtr FrameFactory::block_ack(const Frame& to, const BlockAckFields& fields) {
+  auto frame = blank(FrameType::kBlockAck, to.transmitter);
+  frame->block_ack = std::make_shared<const BlockAckFields>(fields);
+  send_in(modes_.response_to(*to.mode), block_ack_bits(fields.length), *frame);
+  return frame;
+}
+
 FramePtr FrameFactory::cts(const Frame& rts, hal::Duration sifs) {
   const hal::Duration spent = sifs + response_airtime(FrameType::kCts, *rts.mode);
   return control(FrameType::kCts, modes_.response_to(*rts.mode), rts.transmitter,
@@ -58,7 +74,7 @@ FramePtr FrameFactory::ack(const Frame& data) {
   return control(FrameType::kAck, modes_.response_to(*data.mode), data.transmitter, {});
 }
 
-FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& options) {
+std::shared_ptr<Frame> FrameFactory::data(const MacRequest& request, const DataOptions& options) {
   const MacHeader& header = request.header;
   auto frame = blank(header.type, request.destination);
   frame->duration = options.duration;
@@ -66,8 +82,11 @@ FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& option
   frame->retry = options.retry;
   frame->ds = header.ds;
   frame->address3 = header.address3;
-  send_in(options.mode ? *options.mode : data_mode(request),
-          mpdu_bits(lengths_, header.type, request.payload->size()), *frame);
+  frame->qos = options.qos;
+  const std::uint32_t bits = mpdu_bits(lengths_, header.type, request.payload->size()) +
+                             (options.qos ? kQosControlBits : 0);
+  send_in(options.mode ? *options.mode : data_mode(request), options.bits ? options.bits : bits,
+          *frame);
   frame->priority = request.priority;
   frame->ethertype = request.ethertype;
   frame->payload = header.type == FrameType::kBeacon

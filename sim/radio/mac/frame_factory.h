@@ -20,15 +20,22 @@ class FrameFactory {
     hal::Duration duration{};
     const PhyMode* mode = nullptr;  ///< Null: data_mode().
     hal::Time at{};                 ///< Start of the frame, for the timestamp of beacons.
+    bool qos = false;
+    std::uint32_t bits = 0;  ///< Length of the MPDU; 0: that of the payload with headers.
   };
   /// Makes a data or management frame.
-  FramePtr data(const MacRequest& request, const DataOptions& options);
+  std::shared_ptr<Frame> data(const MacRequest& request, const DataOptions& options);
 
   /// @param duration  of the rest of the exchange after the RTS.
   FramePtr rts(hal::AgentId to, hal::Duration duration);
   FramePtr rts(hal::AgentId to, hal::Duration duration, const PhyMode& mode);
   /// @param duration  of the rest of the exchange after the CTS.
   FramePtr cts_to_self(hal::Duration duration, const PhyMode& mode);
+  /// @param duration  of the rest of the exchange after the BlockAckReq.
+  FramePtr block_ack_request(hal::AgentId to, const BlockAckFields& fields, hal::Duration duration,
+                             const PhyMode& mode);
+  /// Answers a BlockAckReq or an A-MPDU.
+  FramePtr block_ack(const Frame& to, const BlockAckFields& fields);
   /// Make the responses to an RTS and to a data frame. The duration of the CTS is that of the RTS
   /// without CTS and SIFS.
   FramePtr cts(const Frame& rts, hal::Duration sifs);

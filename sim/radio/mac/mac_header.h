@@ -10,7 +10,8 @@
 
 namespace sim::radio {
 
-/// Type and subtype of a frame (IEEE Std 802.11-2016, table 9-1).
+/// Type and subtype of a frame (IEEE Std 802.11-2016, table 9-1). Fingerprints depend on the
+/// numbers.
 enum class FrameType : std::uint8_t {
   kData,
   kRts,
@@ -24,8 +25,11 @@ enum class FrameType : std::uint8_t {
   kReassociationRequest,
   kReassociationResponse,
   kDisassociation,
+  kBlockAckRequest,
+  kBlockAck,
+  kAction,  ///< Management: action frame (block_ack_action.h).
 };
-inline constexpr int kFrameTypes = 12;
+inline constexpr int kFrameTypes = 15;
 
 /// "data", "rts", …
 constexpr std::string_view name(FrameType type) {
@@ -54,14 +58,31 @@ constexpr std::string_view name(FrameType type) {
       return "reassociation response";
     case FrameType::kDisassociation:
       return "disassociation";
+    case FrameType::kBlockAckRequest:
+      return "block ack request";
+    case FrameType::kBlockAck:
+      return "block ack";
+    case FrameType::kAction:
+      return "action";
   }
   return {};
 }
 static_assert(hal::names_exactly<FrameType, kFrameTypes>([](FrameType t) { return name(t); }));
 
-constexpr bool is_management(FrameType type) { return type >= FrameType::kBeacon; }
 constexpr bool is_control(FrameType type) {
-  return type == FrameType::kRts || type == FrameType::kCts || type == FrameType::kAck;
+  switch (type) {
+    case FrameType::kRts:
+    case FrameType::kCts:
+    case FrameType::kAck:
+    case FrameType::kBlockAckRequest:
+    case FrameType::kBlockAck:
+      return true;
+    default:
+      return false;
+  }
+}
+constexpr bool is_management(FrameType type) {
+  return type != FrameType::kData && !is_control(type);
 }
 
 /// To DS and From DS of a data frame. kNone: ad hoc network, no distribution system. kTo: from a
@@ -77,6 +98,7 @@ struct MacHeader {
   hal::AgentId address3{};
   /// When a layer above the DCF accepted the request; nullopt: it comes straight from the client.
   std::optional<hal::Time> since{};
+  std::uint64_t ticket = 0;  ///< Of the layer above the DCF, which gets it back.
 };
 
 }  // namespace sim::radio

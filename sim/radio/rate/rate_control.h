@@ -25,6 +25,11 @@ class RateControl {
   virtual const PhyMode& mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) = 0;
   /// Reports whether the ACK was received.
   virtual void on_result(hal::AgentId to, bool is_success) = 0;
+  /// Reports how many MPDUs of an A-MPDU were received, in place of on_result().
+  virtual void on_aggregate(hal::AgentId to, std::uint32_t received, std::uint32_t sent) {
+    (void)sent;
+    on_result(to, received > 0);
+  }
 
  protected:
   const Ladder& ladder(hal::AgentId to) const { return ladders_.to(to); }

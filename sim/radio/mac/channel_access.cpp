@@ -1,0 +1,83 @@
+#include "sim/radio/mac/channel_access.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sim::radio {
+
+ChannelAccess::ChannelAccess(EventQueue& events, hal::AgentId agent, const DcfConfig& config,
+                             const DcfTiming& timing, const hal::RandomStream& random,
+                             ChannelAccessListener& listener)
+    : events_(events), agent_(agent), random_(random), listener_(listener) {
+  if (config.qos) {
+    for (const AccessParameters& category : config.edca.categories) add(category, timing, true);
+    return;
+  }
+  constexpr std::uint32_t kDifsSlots = 2;
+  add({config.contention.cw_min, config.contention.cw_max, kDifsSlots, {}}, timing, false);
+}
+
+void ChannelAccess::add(const AccessParameters& parameters, const DcfTiming& timing,
+                        bool counts_first) {
+  const AccessTiming own{.slot = timing.slot,
+                         .aifs = timing.sifs + parameters.aifsn * timing.slot,
+                         .cca_time = timing.cca_time,
+                         .counts_first = counts_first};
+  functions_.push_back(std::make_unique<Function>(
+      *this, events_, agent_, Function::Settings{functions_.size(), parameters, own}));
+}
+
+hal::Duration ChannelAccess::txop_limit(ContentionFunction function) const {
+  return functions_[function]->txop_limit;
+}
+
+void ChannelAccess::request(ContentionFunction function) {
+  Function& one = *functions_[function];
+  one.backoff.request(one.window.value());
+}
+
+void ChannelAccess::draw(ContentionFunction function) {
+  Function& one = *functions_[function];
+  one.backoff.draw(one.window.value());
+}
+
+void ChannelAccess::on_busy() {
+  for (const auto& one : functions_) one->backoff.on_busy(one->window.value());
+}
+
+void ChannelAccess::on_idle() {
+  for (const auto& one : functions_) one->backoff.on_idle();
+}
+
+void ChannelAccess::hold_until(hal::Time until) {
+  for (const auto& one : functions_) one->backoff.hold_until(until);
+}
+
+void ChannelAccess::reset(bool busy) {
+  ready_.clear();
+  for (const auto& one : functions_) {
+    one->window.reset();
+    one->backoff.reset(busy);
+  }
+}
+
+void ChannelAccess::on_access(ContentionFunction function) {
+  if (functions_.size() == 1) return listener_.on_access(function);
+  ready_.push_back(function);
+  // The backoffs of other functions that end now come before this event.
+  if (ready_.size() == 1) {
+    events_.schedule(events_.now(), Rank::kRadio, agent_, [this] { arbitrate(); });
+  }
+}
+
+void ChannelAccess::arbitrate() {
+  if (ready_.empty()) return;  // the radio was switched off at this very time
+  std::vector<ContentionFunction> ready = std::exchange(ready_, {});
+  std::ranges::sort(ready);
+  const ContentionFunction highest = ready.back();
+  ready.pop_back();
+  for (const ContentionFunction lower : ready) listener_.on_internal_collision(lower);
+  listener_.on_access(highest);
+}
+
+}  // namespace sim::radio

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/random.h"
+#include "sim/core/event_queue.h"
+#include "sim/radio/mac/backoff.h"
+#include "sim/radio/mac/dcf_timing.h"
+#include "sim/radio/radio_config.h"
+
+namespace sim::radio {
+
+/// Number of a station's contention function: 0 is the DCF's; with EDCA it is the access category,
+/// and higher ones precede lower ones.
+using ContentionFunction = std::size_t;
+
+/// Is called when a contention function may access the medium.
+class ChannelAccessListener {
+ public:
+  virtual ~ChannelAccessListener() = default;
+  virtual void on_access(ContentionFunction function) = 0;
+  /// The function could have accessed the medium, but a higher one of the same station does: to be
+  /// treated like a collision (IEEE Std 802.11-2020, 10.23.2.4).
+  virtual void on_internal_collision(ContentionFunction function) = 0;
+};
+
+/// Channel access of one station: its contention functions, each with a backoff and a contention
+/// window, on one medium (IEEE Std 802.11-2020, 10.3.4 and 10.23.2).
+class ChannelAccess {
+ public:
+  /// @param listener  outlives this object.
+  ChannelAccess(EventQueue& events, hal::AgentId agent, const DcfConfig& config,
+                const DcfTiming& timing, const hal::RandomStream& random,
+                ChannelAccessListener& listener);
+
+  std::size_t functions() const { return functions_.size(); }
+  /// Longest time for which the function may hold the medium; 0: one frame exchange.
+  hal::Duration txop_limit(ContentionFunction function) const;
+
+  /// As in Backoff.
+  void request(ContentionFunction function);
+  void draw(ContentionFunction function);
+  void reset_window(ContentionFunction function) { functions_[function]->window.reset(); }
+  void grow_window(ContentionFunction function) { functions_[function]->window.grow(); }
+
+  /// Report the state of the medium, by physical and virtual carrier sense, to all functions.
+  void on_busy();
+  void on_idle();
+  void hold_until(hal::Time until);
+  /// Resets all state when the radio is switched off. @param busy  state of the medium.
+  void reset(bool busy);
+
+ private:
+  class Function final : private AccessListener {
+   public:
+    struct Settings {
+      ContentionFunction number = 0;
+      AccessParameters parameters{};
+      AccessTiming timing{};
+    };
+    Function(ChannelAccess& all, EventQueue& events, hal::AgentId agent, const Settings& settings)
+        : number(settings.number),
+          txop_limit(settings.parameters.txop_limit),
+          window(settings.parameters.cw_min, settings.parameters.cw_max),
+          backoff(events, agent, settings.timing, all.random_, *this),
+          all_(all) {}
+
+    ContentionFunction number;
+    hal::Duration txop_limit;
+    ContentionWindow window;
+    Backoff backoff;
+
+   private:
+    void on_access() override { all_.on_access(number); }
+    ChannelAccess& all_;
+  };
+
+  void add(const AccessParameters& parameters, const DcfTiming& timing, bool counts_first);
+  void on_access(ContentionFunction function);
+  void arbitrate();
+
+  EventQueue& events_;
+  hal::AgentId agent_;
+  hal::RandomStream random_;
+  ChannelAccessListener& listener_;
+  std::vector<std::unique_ptr<Function>> functions_;
+  std::vector<ContentionFunction> ready_;  ///< Those whose backoffs end now.
+};
+
+}  // namespace sim::radio
