@@ -1,7 +1,6 @@
 #include "sim/radio/radio_config.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -14,9 +13,6 @@ namespace {
 
 template <class Config>
 constexpr bool kHasWaves = std::is_base_of_v<WavesConfig, Config>;
-
-constexpr std::array kDsssRates{1e6, 2e6, 5.5e6, 11e6};
-constexpr std::array kOfdmRates{6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6};
 
 }  // namespace
 

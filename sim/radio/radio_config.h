@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -45,6 +46,13 @@ enum class BitsAtRisk : std::uint8_t {
   kMpdu,  ///< The bits of the MPDU with FCS.
   /// As many as fit between header and end, including pad and signal extension, as in ns-3.
   kPayloadTime,
+};
+/// How long HT, VHT and HE frames last.
+enum class PpduTimes : std::uint8_t {
+  kStandard,  ///< IEEE Std 802.11-2020, 19.4.3 and 21.4.3; IEEE Std 802.11ax-2021, 27.4.3.
+  /// As in ns-3.37: with the short guard interval the data field may end between multiples of 4 us,
+  /// VHT frames have no VHT-SIG-B (4 us), and HE-LTFs last 8 us each with any guard interval.
+  kNs3,
 };
 /// Start of the EIFS after an erroneous frame.
 enum class EifsStart : std::uint8_t {
@@ -245,6 +253,11 @@ WavesConfig* waves_of(RadioConfig& config);
 /// The DCF's settings; null if the profile has no DCF.
 const DcfConfig* dcf_of(const RadioConfig& config);
 DcfConfig* dcf_of(RadioConfig& config);
+
+/// The rates of DSSS and HR/DSSS, and those of OFDM in 20 MHz, b/s (IEEE Std 802.11-2016, 16.1.2
+/// and 17.1.1).
+inline constexpr std::array kDsssRates{1e6, 2e6, 5.5e6, 11e6};
+inline constexpr std::array kOfdmRates{6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6};
 
 /// The standard whose rates stations support; nullopt for disk and ideal.
 std::optional<Standard> rates_of(const RadioConfig& config);

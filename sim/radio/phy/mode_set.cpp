@@ -30,8 +30,9 @@ void ModeSet::add(const DcfConfig& config) {
 }
 
 void ModeSet::add(const Ieee80211gConfig& config) {
-  for (const double rate : {6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6}) {
-    modes_.push_back(std::make_unique<OfdmMode>(hal::BitsPerSecond{rate}, config.bits_at_risk));
+  for (const double rate : kOfdmRates) {
+    modes_.push_back(std::make_unique<OfdmMode>(hal::BitsPerSecond{rate},
+                                                OfdmMode::Options{.at_risk = config.bits_at_risk}));
   }
   add(static_cast<const DcfConfig&>(config));
 }
@@ -39,7 +40,7 @@ void ModeSet::add(const Ieee80211gConfig& config) {
 void ModeSet::add_dsss(const WavesConfig& config) {
   const DsssMode::Options options{config.phy.preamble, config.phy.rounding,
                                   config.receiver.error_model};
-  for (const double rate : {1e6, 2e6, 5.5e6, 11e6}) {
+  for (const double rate : kDsssRates) {
     modes_.push_back(std::make_unique<DsssMode>(hal::BitsPerSecond{rate}, options));
   }
   std::ranges::sort(modes_, {}, [](const auto& mode) { return mode->rate().value; });
@@ -62,8 +63,11 @@ void ModeSet::add_plain(hal::BitsPerSecond rate, bool is_instant) {
 
 const PhyMode& ModeSet::response_to(const PhyMode& mode) const {
   if (basic_.empty()) return *control_;
-  const auto fits = [&mode](const PhyMode& one) {
-    return one.modulation_class() == mode.modulation_class() && one.rate() <= mode.rate();
+  const bool is_plain = !has_streams(mode.modulation_class());
+  const ModulationClass wanted = is_plain ? mode.modulation_class() : ModulationClass::kOfdm;
+  const hal::BitsPerSecond most = mode.reference_rate();
+  const auto fits = [wanted, most](const PhyMode& one) {
+    return one.modulation_class() == wanted && one.rate() <= most;
   };
   const PhyMode* best = nullptr;
   for (const PhyMode* const one : basic_) {
@@ -78,10 +82,23 @@ const PhyMode& ModeSet::response_to(const PhyMode& mode) const {
 }
 
 const PhyMode& ModeSet::at(hal::BitsPerSecond rate) const {
-  const auto found =
-      std::ranges::find_if(modes_, [rate](const auto& mode) { return mode->rate() == rate; });
+  const auto found = std::ranges::find_if(modes_, [rate](const auto& mode) {
+    return mode->rate() == rate && !has_streams(mode->modulation_class());
+  });
   BARAKA_CHECK(found != modes_.end());
   return **found;
+}
+
+const PhyMode* ModeSet::find(const ModeId& id) const {
+  const auto found =
+      std::ranges::find_if(modes_, [&id](const auto& mode) { return mode->id() == id; });
+  return found == modes_.end() ? nullptr : found->get();
+}
+
+const PhyMode& ModeSet::at(const ModeId& id) const {
+  const PhyMode* const found = find(id);
+  BARAKA_CHECK(found != nullptr);
+  return *found;
 }
 
 }  // namespace sim::radio
