@@ -13,14 +13,14 @@ namespace {
 /// More: nearer to a normal distribution (kurtosis 3 - 3 / (2 n)).
 constexpr int kCosines = 32;
 constexpr double kCut = 3;  ///< Standard deviations.
-constexpr double kTurn = 2 * hal::math::kPi;
+constexpr double kFullTurn = 2 * hal::math::kPi;
 
 /// Wave vector times place [m], the vector drawn with the spectrum of exp(-r / distance).
 double random_phase(hal::RandomStream& random, const hal::Vec3& place, double distance) {
   // Share of the spectrum beyond k: 1 / sqrt(1 + k^2 d^2).
   const double beyond = 1 - random.uniform();  // above 0
   const double k = std::sqrt(1 / (beyond * beyond) - 1) / distance;
-  const double direction = kTurn * random.uniform();
+  const double direction = kFullTurn * random.uniform();
   return k * (place.x * hal::math::cos(direction) + place.y * hal::math::sin(direction));
 }
 
@@ -31,8 +31,8 @@ double deviation(const Path& path, double distance) {
   for (int i = 0; i < kCosines; ++i) {
     const double here = random_phase(random, path.first().position, distance);
     const double there = random_phase(random, path.second().position, distance);
-    const double turns = (here + there) / kTurn + random.uniform();
-    sum += hal::math::cos(kTurn * (turns - std::floor(turns)));
+    const double turns = (here + there) / kFullTurn + random.uniform();
+    sum += hal::math::cos(kFullTurn * (turns - std::floor(turns)));
   }
   return std::clamp(std::sqrt(2.0 / kCosines) * sum, -kCut, kCut);
 }

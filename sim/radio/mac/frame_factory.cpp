@@ -79,6 +79,7 @@ FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& option
 }
 
 const PhyMode& FrameFactory::data_mode(const MacRequest& request) const {
+  if (request.header.type == FrameType::kBeacon) return modes_.beacon();
   const bool is_basic = request.destination == hal::kEveryone || is_management(request.header.type);
   return is_basic ? modes_.broadcast() : modes_.data();
 }

@@ -25,8 +25,9 @@ class ModeSet {
   /// classes first.
   const std::vector<std::unique_ptr<const PhyMode>>& all() const { return modes_; }
   const PhyMode& lowest() const { return *modes_.front(); }
-  const PhyMode& data() const { return *data_; }
+  const PhyMode& data() const { return *data_; }  ///< Of unicast data to a station of equal kind.
   const PhyMode& broadcast() const { return *broadcast_; }
+  const PhyMode& beacon() const { return *beacon_; }
   const PhyMode& control() const { return *control_; }  ///< Mode of RTS.
   /// Mode of the CTS or ACK that answers a frame in `mode`: by DcfConfig::basic_rates, or control()
   /// if there are none. The highest basic rate that is not above the frame's reference_rate(), in
@@ -38,6 +39,10 @@ class ModeSet {
   void add(const WavesConfig& config);
   void add(const DcfConfig& config);
   void add(const Ieee80211gConfig& config);
+  void add(const HtConfig& config);
+  void add_ofdm(const Ieee80211gConfig& config);
+  void add_mcs(const HtConfig& config);
+  void choose_basic(const DcfConfig& config);
   void add_dsss(const WavesConfig& config);
   void choose(const PhyConfig& config);
   void add(const DiskConfig& config);
@@ -46,7 +51,7 @@ class ModeSet {
 
   std::vector<std::unique_ptr<const PhyMode>> modes_;  ///< In ascending order of rates, not empty.
   std::vector<const PhyMode*> basic_;  ///< In ascending order of rates; if empty, control_ is used.
-  const PhyMode *data_ = nullptr, *broadcast_ = nullptr, *control_ = nullptr;
+  const PhyMode *data_ = nullptr, *broadcast_ = nullptr, *control_ = nullptr, *beacon_ = nullptr;
 };
 
 }  // namespace sim::radio

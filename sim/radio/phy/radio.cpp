@@ -27,7 +27,7 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
       rules_(air.rules),
       index_(index),
       agent_(agent),
-      knows_ofdm_(air.knows_ofdm),
+      known_(air.known),
       loss_(air.loss),
       errors_(errors),
       cca_threshold_(to_milliwatts(air.config.cca_threshold).value),
@@ -130,10 +130,8 @@ std::optional<hal::Verdict> Radio::refuse(const Signal& signal) const {
   return std::nullopt;
 }
 
-/// Whether this radio can interpret neither the preamble nor the header of a frame.
-bool Radio::is_foreign(const Frame& frame) const {
-  return !knows_ofdm_ && frame.mode->modulation_class() == ModulationClass::kOfdm;
-}
+/// Whether this radio cannot interpret a frame.
+bool Radio::is_foreign(const Frame& frame) const { return !known_.supports(frame.mode->id()); }
 
 bool Radio::synchronise(Signal& signal) {
   if (held_) {
