@@ -1,35 +1,52 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "hal/types/agent_id.h"
+#include "sim/radio/phy/capabilities.h"
 
 namespace sim::radio {
 
 /// Capabilities of the stations that share one channel number. In the standard, stations learn them
-/// from beacons and probes; here they are known from the start.
+/// from beacons, association and probes; here they are known from the start.
 class Cell {
  public:
-  /// @param knows_ofdm  false: a NonERP station, which supports only DSSS and HR/DSSS.
-  void add(hal::AgentId station, bool knows_ofdm) {
-    if (knows_ofdm) {
-      has_erp_ = true;
-    } else {
-      non_erp_.insert(std::ranges::lower_bound(non_erp_, station), station);
-    }
+  /// @pre each station is added once.
+  void add(hal::AgentId station, const Capabilities& capabilities) {
+    if (!usual_) usual_ = capabilities;
+    of_some_ = static_cast<std::uint8_t>(of_some_ | capabilities.classes);
+    of_all_ = static_cast<std::uint8_t>(of_all_ & capabilities.classes);
+    if (capabilities == *usual_) return;
+    others_.insert(std::ranges::lower_bound(others_, station, {}, &Other::first),
+                   {station, capabilities});
   }
-  /// Whether some stations support OFDM and others do not, so that OFDM frames need protection
-  /// (10.26.2).
-  bool is_mixed() const { return has_erp_ && !non_erp_.empty(); }
-  /// Whether a station supports OFDM; also true for addresses without a station.
-  bool knows_ofdm(hal::AgentId station) const {
-    return !std::ranges::binary_search(non_erp_, station);
+  /// Whether every station supports a class: else its frames need protection, those of OFDM (IEEE
+  /// Std 802.11-2020, 10.27.2) and those of HT and what came after it (10.27.3).
+  bool all_support(ModulationClass modulation) const {
+    return (of_all_ & Capabilities::bit(modulation)) != 0;
+  }
+  /// Whether some stations support OFDM and others do not.
+  bool is_mixed() const {
+    return !all_support(ModulationClass::kOfdm) &&
+           (of_some_ & Capabilities::bit(ModulationClass::kOfdm)) != 0;
+  }
+  /// Of an address without a station: those of the station that was added first.
+  Capabilities capabilities(hal::AgentId station) const {
+    const auto found = std::ranges::lower_bound(others_, station, {}, &Other::first);
+    if (found != others_.end() && found->first == station) return found->second;
+    return usual_.value_or(Capabilities{});
   }
 
  private:
-  bool has_erp_ = false;
-  std::vector<hal::AgentId> non_erp_;  ///< In ascending order.
+  using Other = std::pair<hal::AgentId, Capabilities>;
+
+  std::optional<Capabilities>
+      usual_;                  ///< Of the first station, and of all that are not in others_.
+  std::vector<Other> others_;  ///< In ascending order of stations.
+  std::uint8_t of_some_ = 0, of_all_ = 0xff;
 };
 
 }  // namespace sim::radio

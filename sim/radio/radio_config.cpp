@@ -1,7 +1,5 @@
 #include "sim/radio/radio_config.h"
 
-#include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -15,8 +13,18 @@ namespace {
 template <class Config>
 constexpr bool kHasWaves = std::is_base_of_v<WavesConfig, Config>;
 
-constexpr std::array kDsssRates{1e6, 2e6, 5.5e6, 11e6};
-constexpr std::array kOfdmRates{6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6};
+constexpr hal::Duration kSifs24 = 10us, kSifs5 = 16us;
+
+/// The part of a profile that is a Base; null if it has none.
+template <class Base>
+const Base* part_of(const RadioConfig& config) {
+  return std::visit(
+      [](const auto& one) -> const Base* {
+        if constexpr (std::is_base_of_v<Base, std::decay_t<decltype(one)>>) return &one;
+        return nullptr;
+      },
+      config);
+}
 
 }  // namespace
 
@@ -56,6 +64,27 @@ Ieee80211gConfig::Ieee80211gConfig() {
   cca_time = 4us;
 }
 
+HtConfig::HtConfig(ModulationClass newest, const McsConfig& the_mcs, std::uint32_t channel,
+                   std::uint32_t max_ampdu)
+    : modulation(newest), mcs(the_mcs) {
+  contention.slot = 9us;
+  qos = true;
+  aggregation.max_ampdu = max_ampdu;
+  set_channel(*this, channel);
+}
+
+Ieee80211axConfig::Ieee80211axConfig()
+    : HtConfig(ModulationClass::kHe, {.mcs = 11, .width = 80}, 36, 4'194'303) {
+  aggregation.block_ack_window = 256;
+}
+
+void set_channel(HtConfig& config, std::uint32_t channel) {
+  hal::Metres& wavelength = config.propagation.wavelength;
+  wavelength = wavelength_on(channel, wavelength, config.phy.channel);
+  config.phy.channel = channel;
+  config.contention.sifs = is_5ghz(channel) ? kSifs5 : kSifs24;
+}
+
 RadioConfig profile_defaults(Profile profile) {
   switch (profile) {
     case Profile::kMobilityFramework:
@@ -64,6 +93,12 @@ RadioConfig profile_defaults(Profile profile) {
       return Ieee80211bConfig{};
     case Profile::kIeee80211g:
       return Ieee80211gConfig{};
+    case Profile::kIeee80211n:
+      return Ieee80211nConfig{};
+    case Profile::kIeee80211ac:
+      return Ieee80211acConfig{};
+    case Profile::kIeee80211ax:
+      return Ieee80211axConfig{};
     case Profile::kDisk:
       return DiskConfig{};
     case Profile::kIdeal:
@@ -83,31 +118,22 @@ std::string_view profile_name(const RadioConfig& config) {
       config);
 }
 
-const WavesConfig* waves_of(const RadioConfig& config) {
-  return std::visit(
-      [](const auto& one) -> const WavesConfig* {
-        if constexpr (kHasWaves<std::decay_t<decltype(one)>>) return &one;
-        return nullptr;
-      },
-      config);
-}
-
+const WavesConfig* waves_of(const RadioConfig& config) { return part_of<WavesConfig>(config); }
 WavesConfig* waves_of(RadioConfig& config) {
   return const_cast<WavesConfig*>(waves_of(std::as_const(config)));
 }
 
-const DcfConfig* dcf_of(const RadioConfig& config) {
-  return std::visit(
-      [](const auto& one) -> const DcfConfig* {
-        if constexpr (std::is_base_of_v<DcfConfig, std::decay_t<decltype(one)>>) return &one;
-        return nullptr;
-      },
-      config);
-}
-
+const DcfConfig* dcf_of(const RadioConfig& config) { return part_of<DcfConfig>(config); }
 DcfConfig* dcf_of(RadioConfig& config) {
   return const_cast<DcfConfig*>(dcf_of(std::as_const(config)));
 }
+
+const Ieee80211gConfig* ofdm_of(const RadioConfig& config) {
+  return part_of<Ieee80211gConfig>(config);
+}
+
+const HtConfig* ht_of(const RadioConfig& config) { return part_of<HtConfig>(config); }
+HtConfig* ht_of(RadioConfig& config) { return const_cast<HtConfig*>(ht_of(std::as_const(config))); }
 
 std::optional<Standard> rates_of(const RadioConfig& config) {
   return std::visit(
@@ -116,30 +142,6 @@ std::optional<Standard> rates_of(const RadioConfig& config) {
         return std::nullopt;
       },
       config);
-}
-
-std::string_view rates_of(Standard standard) {
-  switch (standard) {
-    case Standard::kIeee80211b:
-      return "1, 2, 5.5 or 11 Mb/s";
-    case Standard::kIeee80211g:
-      return "1, 2, 5.5, 11, 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s";
-  }
-  return {};
-}
-
-bool is_dsss_rate(hal::BitsPerSecond rate) {
-  return std::ranges::find(kDsssRates, rate.value) != kDsssRates.end();
-}
-
-bool is_rate(Standard standard, hal::BitsPerSecond rate) {
-  switch (standard) {
-    case Standard::kIeee80211b:
-      return is_dsss_rate(rate);
-    case Standard::kIeee80211g:
-      return is_dsss_rate(rate) || std::ranges::find(kOfdmRates, rate.value) != kOfdmRates.end();
-  }
-  return false;
 }
 
 const LengthsConfig& lengths_of(const RadioConfig& config) {

@@ -1,145 +1,22 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
-#include "sim/core/obstacle_loss.h"
-#include "sim/radio/channel/channel_number.h"
-#include "sim/radio/channel/loss_config.h"
-#include "sim/radio/channel/path_loss_config.h"
 #include "sim/radio/infrastructure/bss_config.h"
 #include "sim/radio/mac/aggregation_config.h"
 #include "sim/radio/mac/edca_config.h"
 #include "sim/radio/rate/rate_control_config.h"
 #include "sim/radio/station_config.h"
+#include "sim/radio/waves_config.h"
 
 namespace sim::radio {
-
-using namespace std::chrono_literals;
-
-/// Length of frames on the air.
-enum class Lengths : std::uint8_t {
-  kBytes,  ///< Length of the encoded frame.
-  kFixed,  ///< `header_bits` and `payload_bits`, whatever the frame carries.
-};
-/// Rounding of the duration of a frame.
-enum class Rounding : std::uint8_t {
-  kExact,  ///< To the nearest nanosecond per frame.
-  /// Payload rounded up to whole microseconds (IEEE Std 802.11-2016, 16.3.4: TXTIME).
-  kMicrosecond,
-};
-/// Packet error model: that of the Mobility Framework, or that of each PHY mode.
-enum class ErrorModel : std::uint8_t { kMobilityFramework, kDsss };
-/// DSSS preamble.
-enum class Preamble : std::uint8_t { kLong, kShort };
-/// Which bits of an OFDM frame must arrive.
-enum class BitsAtRisk : std::uint8_t {
-  kMpdu,  ///< The bits of the MPDU with FCS.
-  /// As many as fit between header and end, including pad and signal extension, as in ns-3.
-  kPayloadTime,
-};
-/// Start of the EIFS after an erroneous frame.
-enum class EifsStart : std::uint8_t {
-  kMediumIdle,  ///< When the medium becomes idle (IEEE Std 802.11-2016, 10.3.2.3.7).
-  kFrameEnd,    ///< At the end of that frame, even if others are on the air, as in ns-3.
-};
-/// Effect of a frame with an erroneous PHY header.
-enum class HeaderError : std::uint8_t {
-  kEifs,  ///< The same as for any erroneous frame.
-  /// No EIFS. If another frame had begun during its preamble, carrier sense ignores both from then
-  /// on, as in ns-3.
-  kForgotten,
-};
-/// Protection of OFDM frames in a cell with 802.11b stations (10.26.2).
-enum class ProtectionKind : std::uint8_t { kNone, kCtsToSelf, kRtsCts, kAuto };
-
-/// Propagation from one antenna to another.
-struct PropagationConfig {
-  hal::Metres wavelength{0.125};  ///< > 0; for PhyConfig::channel.
-  double path_loss_exponent = 2;  ///< Exponent of PowerLawConfig, >= 1; reference distance 1 m.
-  /// Exactly one of them is a law of distance.
-  std::vector<PathLossConfig> chain{PowerLawConfig{}};
-  hal::Metres antenna_height{0.1};   ///< Above the body's origin; default for stations.
-  hal::Decibels antenna_gain{0};     ///< Isotropic; default for stations.
-  bool propagation_delay = false;    ///< Delay of distance over 299792458 m/s, else 0.
-  bool obstacles = false;            ///< Walls attenuate, and so do bodies that have a loss.
-  ObstacleLoss body_loss{};          ///< Loss through a robot or mote, with `obstacles`.
-  hal::Dbm interference_floor{-85};  ///< Weaker signals are ignored. <= sensitivity.
-};
-
-/// Which frames a receiver senses and receives.
-struct ReceiverConfig {
-  hal::Dbm sensitivity{-85};       ///< Weaker frames cannot be received.
-  hal::Dbm noise_floor{-110};      ///< Thermal noise and noise figure in the bandwidth.
-  hal::Dbm cca_threshold{-85};     ///< Carrier sense by the power of a single frame.
-  hal::Dbm energy_detection{-85};  ///< Carrier sense by the total power of all frames.
-  /// Packet error model.
-  ErrorModel error_model = ErrorModel::kMobilityFramework;
-  /// Lowest usable SINR. kMobilityFramework: a frame whose lowest SINR is not above it counts as a
-  /// collision. kDsss: the receiver does not synchronise to a preamble below it.
-  hal::Decibels min_sinr{4};
-  /// The receiver synchronises to the strongest of the frames that start within this time after the
-  /// first one. Zero: to the first frame.
-  hal::Duration preamble_window{};
-  /// A frame stronger by this margin captures the receiver within capture_window after it
-  /// synchronised to another. nullopt: no capture.
-  std::optional<hal::Decibels> capture_margin;
-  /// Starts when the receiver has synchronised.
-  hal::Duration capture_window = 16us;
-  HeaderError header_error = HeaderError::kEifs;
-  LossConfig loss{};
-};
-
-/// DSSS and HR/DSSS; with ieee80211g also OFDM. rates_of() gives the rates.
-struct PhyConfig {
-  /// 1 .. 14. Stations on different channels neither hear nor disturb each other; adjacent-channel
-  /// leakage is not modelled.
-  std::uint32_t channel = 1;
-  /// Rate of unicast data; with rate control, the highest rate.
-  hal::BitsPerSecond data_rate{11e6};
-  hal::BitsPerSecond control_rate{11e6};  ///< Rate of RTS; mobility_framework: also of CTS and ACK.
-  hal::BitsPerSecond broadcast_rate{11e6};  ///< Rate of group and management frames.
-  Preamble preamble = Preamble::kLong;  ///< For DSSS; frames at 1 Mb/s always have the long one.
-  Rounding rounding = Rounding::kExact;
-};
-
-/// Length of frames on the air.
-struct LengthsConfig {
-  Lengths lengths = Lengths::kBytes;
-  std::uint32_t header_bits = 272;  ///< kFixed: MAC header and FCS of a data frame.
-  std::uint32_t payload_bits = 0;   ///< kFixed: network packet, whatever its size.
-};
-
-/// Medium access.
-struct ContentionConfig {
-  hal::Duration slot = 20us;            ///< Slot time.
-  hal::Duration sifs = 10us;            ///< Short interframe space; DIFS = SIFS + 2 slots.
-  std::uint32_t cw_min = 7;             ///< One less than a power of two.
-  std::uint32_t cw_max = 255;           ///< >= cw_min.
-  std::uint32_t rts_threshold = 0;      ///< MPDU size in bytes; larger frames use RTS/CTS.
-  std::uint32_t short_retry_limit = 7;  ///< Transmissions in all, >= 1.
-  std::uint32_t queue_limit = 14;       ///< In frames, >= 1.
-};
-
-/// The common part of the profiles in which stations contend for one medium; the defaults are those
-/// of mobility_framework. In each profile, `kProfile` is its name in files and `kRates` the
-/// standard whose rates it supports.
-struct WavesConfig {
-  hal::Milliwatts tx_power{2};  ///< > 0; default for stations.
-  PropagationConfig propagation;
-  ReceiverConfig receiver;
-  PhyConfig phy;
-  LengthsConfig lengths{.lengths = Lengths::kFixed};
-  ContentionConfig contention;
-};
 
 /// The paper's radio: a replica of the Mobility Framework 1.0a5 NIC, with the values of its sample
 /// configuration. It has no long retry limit.
@@ -171,6 +48,8 @@ struct DcfConfig : WavesConfig {
   /// QoS station: data frames have the QoS header, and `edca` replaces the windows of `contention`
   /// (10.2.3.2).
   bool qos = false;
+  /// Rate of beacons; nullopt: that of broadcasts.
+  std::optional<hal::BitsPerSecond> beacon_rate{};
   EdcaConfig edca = edca_defaults(31, 1023, true);  ///< With `qos`.
   AggregationConfig aggregation{};                  ///< With `qos`.
 
@@ -194,6 +73,55 @@ struct Ieee80211gConfig : DcfConfig {
   Ieee80211gConfig();
   BitsAtRisk bits_at_risk = BitsAtRisk::kMpdu;
 };
+
+/// Mode of unicast data in the profiles with MCSs; with rate control, the highest MCS and most
+/// streams. A receiver that supports less gets nearest() and the same or the next lower MCS.
+struct McsConfig {
+  std::uint8_t mcs = 7;         ///< HT: 0 .. 7, for each stream; VHT: 0 .. 9; HE: 0 .. 11.
+  std::uint8_t streams = 1;     ///< 1 .. 4; also antennas, for sending and receiving.
+  std::uint16_t width = 20;     ///< 20, 40 or 80 MHz, as has_width().
+  hal::Duration guard = 800ns;  ///< HT and VHT: 400 or 800 ns; HE: 800, 1600 or 3200 ns.
+  PpduTimes times = PpduTimes::kStandard;
+};
+
+/// The common part of the profiles with MCSs, in 2.4 or 5 GHz: QoS stations. Data in the mode of
+/// `mcs`, RTS at 24 Mb/s, group frames at 6 Mb/s, and the short slot, which HT stations announce.
+struct HtConfig : Ieee80211gConfig {
+  ModulationClass modulation = ModulationClass::kHt;  ///< The newest.
+  McsConfig mcs;
+
+ protected:
+  /// @param channel  determines the band. @param max_ampdu  bytes
+  HtConfig(ModulationClass newest, const McsConfig& the_mcs, std::uint32_t channel,
+           std::uint32_t max_ampdu);
+};
+
+/// IEEE Std 802.11-2020, clauses 10 and 19: one stream in 20 MHz of 2.4 GHz, MCS 7, long guard
+/// interval, as in ns-3.37.
+struct Ieee80211nConfig : HtConfig {
+  static constexpr std::string_view kProfile = "ieee80211n";
+  static constexpr Standard kRates = Standard::kIeee80211n;
+  Ieee80211nConfig() : HtConfig(ModulationClass::kHt, {}, 1, 65'535) {}
+};
+
+/// Clause 21: one stream in 80 MHz at channel 36, MCS 9, long guard interval, as in ns-3.37.
+struct Ieee80211acConfig : HtConfig {
+  static constexpr std::string_view kProfile = "ieee80211ac";
+  static constexpr Standard kRates = Standard::kIeee80211ac;
+  Ieee80211acConfig() : HtConfig(ModulationClass::kVht, {.mcs = 9, .width = 80}, 36, 1'048'575) {}
+};
+
+/// IEEE Std 802.11ax-2021, clause 27, single user: one stream in 80 MHz at channel 36, MCS 11, the
+/// shortest guard interval, which Linux's rate control prefers.
+struct Ieee80211axConfig : HtConfig {
+  static constexpr std::string_view kProfile = "ieee80211ax";
+  static constexpr Standard kRates = Standard::kIeee80211ax;
+  Ieee80211axConfig();
+};
+
+/// Sets a channel number and what depends on the band: the wavelength, and SIFS (IEEE Std
+/// 802.11-2020, tables 18-5 and 17-21).
+void set_channel(HtConfig& config, std::uint32_t channel);
 
 /// Range of mobility_framework: 0.125 m / (4 pi) * sqrt(2 mW / -85 dBm), rounded up.
 inline constexpr hal::Metres kMobilityFrameworkRange{250.16};
@@ -229,10 +157,20 @@ struct ForeignProfileConfig : WavesConfig {
 /// A radio profile with the values of all its keys. Scenario files can select every alternative but
 /// the last and set any key of the profile.
 using RadioConfig = std::variant<MobilityFrameworkConfig, Ieee80211bConfig, Ieee80211gConfig,
-                                 DiskConfig, IdealConfig, ForeignProfileConfig>;
+                                 Ieee80211nConfig, Ieee80211acConfig, Ieee80211axConfig, DiskConfig,
+                                 IdealConfig, ForeignProfileConfig>;
 
 /// The profiles that scenario files can select, for programs without a file.
-enum class Profile : std::uint8_t { kMobilityFramework, kIeee80211b, kIeee80211g, kDisk, kIdeal };
+enum class Profile : std::uint8_t {
+  kMobilityFramework,
+  kIeee80211b,
+  kIeee80211g,
+  kIeee80211n,
+  kIeee80211ac,
+  kIeee80211ax,
+  kDisk,
+  kIdeal
+};
 RadioConfig profile_defaults(Profile profile);
 
 /// Name of the profile as in scenario files.
@@ -246,12 +184,13 @@ WavesConfig* waves_of(RadioConfig& config);
 const DcfConfig* dcf_of(const RadioConfig& config);
 DcfConfig* dcf_of(RadioConfig& config);
 
+/// The settings of a profile with OFDM, and of one with MCSs; null if the profile has none.
+const Ieee80211gConfig* ofdm_of(const RadioConfig& config);
+const HtConfig* ht_of(const RadioConfig& config);
+HtConfig* ht_of(RadioConfig& config);
+
 /// The standard whose rates stations support; nullopt for disk and ideal.
 std::optional<Standard> rates_of(const RadioConfig& config);
-/// The rates of a standard as text for messages [Mb/s]; whether a rate is one of them.
-std::string_view rates_of(Standard standard);
-bool is_rate(Standard standard, hal::BitsPerSecond rate);
-bool is_dsss_rate(hal::BitsPerSecond rate);
 
 const LengthsConfig& lengths_of(const RadioConfig& config);
 

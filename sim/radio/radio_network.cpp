@@ -117,7 +117,7 @@ struct RadioNetwork::State {
     for (const Station& station : stations) {
       check_station(config, station);
       Air& air = air_of(channel_of(station, config));
-      air.cell.add(station.agent, knows_ofdm(config, station.radio));
+      air.cell.add(station.agent, capabilities_of(config_for(config, station.radio, false)));
       air.antennas.push_back(antenna(station, config, around.seed));
     }
     const WavesConfig* const waves = waves_of(config);
@@ -234,9 +234,7 @@ struct RadioNetwork::State {
     radios.push_back(std::make_unique<Radio>(
         Radio::Air{surroundings.events, air.band->channel(), surroundings.observer,
                    waves_of(profile.config)->receiver, *profile.rules,
-                   // In cells without OFDM the test is unnecessary.
-                   !air.cell.is_mixed() || air.cell.knows_ofdm(station.agent),
-                   loss ? &*loss : nullptr},
+                   air.cell.capabilities(station.agent), loss ? &*loss : nullptr},
         index, station.agent, stream(station, "/errors")));
     air.band->channel().add(*radios.back());
     return *radios.back();

@@ -3,25 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "sim/radio/qos_rules.h"
+#include "sim/radio/station_profile.h"
+
 namespace sim::radio {
 namespace {
-
-/// Collects the rules that are broken.
-class Rules {
- public:
-  void ask(bool holds, std::string_view key, std::string what) {
-    if (!holds) broken_.push_back({std::string(key), std::move(what)});
-  }
-  std::vector<BrokenRule> take() { return std::move(broken_); }
-
- private:
-  std::vector<BrokenRule> broken_;
-};
 
 constexpr hal::Duration kNone{};
 
@@ -36,9 +27,19 @@ void ask_chain(Rules& rules, const std::vector<PathLossConfig>& chain) {
             "must not have more than one of " + models_of(PathLossKind::kFading));
 }
 
-void ask_channel(Rules& rules, std::uint32_t channel) {
-  rules.ask(channel >= 1 && channel <= kChannels, "channel",
-            fmt::format("must be 1 .. {}", kChannels));
+/// @param standard  nullopt: of a profile without rates.
+void ask_channel(Rules& rules, std::optional<Standard> standard, std::uint32_t channel) {
+  const bool may_be_5ghz = standard && *standard >= Standard::kIeee80211n;
+  if (!may_be_5ghz) {
+    return rules.ask(channel >= 1 && channel <= kChannels, "channel",
+                     fmt::format("must be 1 .. {}", kChannels));
+  }
+  if (standard == Standard::kIeee80211ac) {
+    return rules.ask(is_channel(channel) && is_5ghz(channel), "channel",
+                     "must be 36, 40 .. 64, 100, 104 .. 144, or 149, 153 .. 165");
+  }
+  rules.ask(is_channel(channel), "channel",
+            "must be 1 .. 14, 36, 40 .. 64, 100, 104 .. 144, or 149, 153 .. 165");
 }
 
 void ask_loss(Rules& rules, const LossConfig& loss) {
@@ -46,11 +47,6 @@ void ask_loss(Rules& rules, const LossConfig& loss) {
   rules.ask(is_probability(loss.probability), "loss.probability", "must be 0 .. 1");
   rules.ask(std::ranges::all_of(loss.links, is_probability, &LossConfig::Link::probability),
             "loss.links", "must have probabilities of 0 .. 1");
-}
-
-void ask_window(Rules& rules, std::string_view key, std::uint32_t window) {
-  rules.ask(window < (1u << 16) && std::has_single_bit(window + 1), key,
-            fmt::format("{} is not one less than a power of two", window));
 }
 
 void ask_contention(Rules& rules, const ContentionConfig& mac) {
@@ -70,7 +66,7 @@ void ask_waves(Rules& rules, Standard rates, const WavesConfig& c) {
   rules.ask(c.propagation.path_loss_exponent >= 1, "path_loss_exponent", "must be 1 or more");
   rules.ask(c.propagation.antenna_height.value >= 0, "antenna_height", "must be 0 or more");
   ask_chain(rules, c.propagation.chain);
-  ask_channel(rules, c.phy.channel);
+  ask_channel(rules, rates, c.phy.channel);
   ask_loss(rules, c.receiver.loss);
   rules.ask(c.propagation.interference_floor <= c.receiver.sensitivity, "interference_floor",
             fmt::format("{} dBm is above the sensitivity, {} dBm",
@@ -116,6 +112,8 @@ void ask_dcf(Rules& rules, Standard rates, const DcfConfig& c) {
   rules.ask(c.long_retry_limit >= 1, "long_retry_limit", "must be 1 or more");
   rules.ask(!c.basic_rates.empty(), "basic_rates", "must not be empty");
   for (const auto rate : c.basic_rates) ask_rate(rules, rates, "basic_rates", rate);
+  if (c.beacon_rate) ask_rate(rules, rates, "beacon_rate", *c.beacon_rate);
+  ask_edca(rules, c.edca);
   rules.ask(c.cca_time >= kNone, "cca_time", "must not be negative");
   rules.ask(c.cca_time < c.contention.slot, "cca_time", "must be shorter than the slot");
   ask_bss(rules, c.bss);
@@ -138,6 +136,15 @@ void ask_one(Rules& rules, const Ieee80211gConfig& c) {
   rules.ask(c.receiver.error_model == ErrorModel::kDsss, "error_model", "must be dsss");
 }
 
+template <class Config>
+requires std::is_base_of_v<HtConfig, Config>
+void ask_one(Rules& rules, const Config& c) {
+  ask_dcf(rules, c.kRates, c);
+  rules.ask(c.receiver.error_model == ErrorModel::kDsss, "error_model", "must be dsss");
+  ask_mcs(rules, c);
+  ask_aggregation(rules, c);
+}
+
 void ask_one(Rules& rules, const DiskConfig& c) {
   rules.ask(c.tx_power.value > 0, "tx_power", "must be positive");
   rules.ask(c.range.value > 0, "range", "must be positive");
@@ -155,6 +162,37 @@ void throw_first(const std::vector<BrokenRule>& broken) {
         fmt::format("radio: {} {}", broken.front().key, broken.front().what));
 }
 
+/// Whether stations of a standard can be in a network, beside those of its profile.
+bool fits(Standard standard, const RadioConfig& network) {
+  if (standard > *rates_of(network)) return false;
+  const bool is_5 = is_5ghz(waves_of(network)->phy.channel);
+  return standard != (is_5 ? Standard::kIeee80211b : Standard::kIeee80211ac);
+}
+
+void ask_station_mcs(Rules& rules, const RadioConfig& config, const StationConfig& c) {
+  if (!c.mcs && !c.streams && !c.width) return;
+  const Standard rates = c.standard.value_or(*rates_of(config));
+  rules.ask(rates >= Standard::kIeee80211n, "mcs",
+            "is not for stations without MCSs, nor are streams and width");
+  if (rates < Standard::kIeee80211n) return;
+  const RadioConfig own = config_for(config, c, false);
+  ask_mcs(rules, *ht_of(own));
+}
+
+void ask_station_standard(Rules& rules, const RadioConfig& config, const StationConfig& c) {
+  if (!c.standard) return;
+  rules.ask(ofdm_of(config) != nullptr, "standard",
+            "may differ in a network of ieee80211g or newer only");
+  rules.ask(ofdm_of(config) == nullptr || fits(*c.standard, config), "standard",
+            "must be as old as the network's or older, and exist in its band");
+}
+
+void ask_station_channel(Rules& rules, const RadioConfig& config, std::uint32_t channel) {
+  ask_channel(rules, rates_of(config), channel);
+  rules.ask(is_5ghz(channel) == is_5ghz(waves_of(config)->phy.channel), "channel",
+            "must be in the band of the network");
+}
+
 /// What a station may have of its own.
 void ask_station(Rules& rules, const RadioConfig& config, const StationConfig& c) {
   const std::optional<Standard> known = rates_of(config);
@@ -162,16 +200,16 @@ void ask_station(Rules& rules, const RadioConfig& config, const StationConfig& c
   rules.ask(!c.antenna_height || c.antenna_height->value >= 0, "antenna_height",
             "must be 0 or more");
   rules.ask(known || (!c.channel && !c.antenna_gain && !c.data_rate && !c.control_rate &&
-                      !c.broadcast_rate),
+                      !c.broadcast_rate && !c.mcs && !c.streams && !c.width),
             "channel", "is not for stations without waves, nor are gain and rates");
-  rules.ask(!c.standard || std::holds_alternative<Ieee80211gConfig>(config), "standard",
-            "may differ in a network of ieee80211g only");
-  if (!known) return;
-  if (c.channel) ask_channel(rules, *c.channel);
+  ask_station_standard(rules, config, c);
+  if (!known || !rules.is_empty()) return;
+  if (c.channel) ask_station_channel(rules, config, *c.channel);
   const Standard rates = c.standard.value_or(*known);
   if (c.data_rate) ask_rate(rules, rates, "data_rate", *c.data_rate);
   if (c.control_rate) ask_rate(rules, rates, "control_rate", *c.control_rate);
   if (c.broadcast_rate) ask_rate(rules, rates, "broadcast_rate", *c.broadcast_rate);
+  ask_station_mcs(rules, config, c);
 }
 
 }  // namespace
@@ -197,10 +235,14 @@ std::vector<BrokenRule> broken_rules(const RadioConfig& config) {
 
 void check(const RadioConfig& config) { throw_first(broken_rules(config)); }
 
-void check(const RadioConfig& config, const StationConfig& station) {
+std::vector<BrokenRule> broken_rules(const RadioConfig& config, const StationConfig& station) {
   Rules rules;
   ask_station(rules, config, station);
-  throw_first(rules.take());
+  return rules.take();
+}
+
+void check(const RadioConfig& config, const StationConfig& station) {
+  throw_first(broken_rules(config, station));
 }
 
 }  // namespace sim::radio

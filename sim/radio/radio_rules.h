@@ -17,6 +17,9 @@ struct BrokenRule {
 /// rule that it breaks.
 std::vector<BrokenRule> broken_rules(const RadioConfig& config);
 
+/// The same of what a station has of its own in such a network.
+std::vector<BrokenRule> broken_rules(const RadioConfig& config, const StationConfig& station);
+
 /// "nakagami, rician and rayleigh": the models of a kind that files can name.
 std::string models_of(PathLossKind kind);
 

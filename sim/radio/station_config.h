@@ -6,19 +6,22 @@
 #include <vector>
 
 #include "hal/types/quantity.h"
+#include "sim/radio/standard.h"
 
 namespace sim::radio {
-
-enum class Standard : std::uint8_t { kIeee80211b, kIeee80211g };
 
 /// Settings of one station's radio; unset ones are taken from the network's RadioConfig.
 struct StationConfig {
   std::optional<hal::Milliwatts> tx_power{};    ///< Power into the antenna, > 0.
   std::optional<hal::Metres> antenna_height{};  ///< Above the station's position, >= 0.
   std::optional<hal::Decibels> antenna_gain{};  ///< Equal in all directions.
-  std::optional<std::uint32_t> channel{};       ///< 1 .. 14.
-  /// In a network of ieee80211g: kIeee80211b for a station without OFDM.
+  /// In the band of the network.
+  std::optional<std::uint32_t> channel{};
+  /// In a network of ieee80211g or newer: that or an older one that exists in the band.
   std::optional<Standard> standard{};
+  /// Of a station with MCSs: as in McsConfig, and what it supports at most.
+  std::optional<std::uint8_t> mcs{}, streams{};
+  std::optional<std::uint16_t> width{};  ///< MHz
   std::optional<hal::BitsPerSecond> data_rate{};
   std::optional<hal::BitsPerSecond> control_rate{};
   std::optional<hal::BitsPerSecond> broadcast_rate{};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hal/types/check.h"
+#include "sim/radio/phy/mcs_modes.h"
 
 namespace sim::radio {
 namespace {
@@ -20,11 +21,18 @@ void replace_rate(hal::BitsPerSecond& rate, hal::BitsPerSecond from, hal::BitsPe
   if (rate == from || !is_dsss_rate(rate)) rate = to;
 }
 
+/// Neither QoS nor aggregation, which a profile with MCSs has from the start.
+void without_qos(DcfConfig& config) {
+  config.qos = false;
+  config.aggregation = {};
+}
+
 Ieee80211bConfig without_ofdm(const Ieee80211gConfig& network) {
   const Ieee80211gConfig g;
   const Ieee80211bConfig b;
   Ieee80211bConfig config;
   static_cast<DcfConfig&>(config) = network;
+  replace(config.edca, g.edca, b.edca);
   replace_rate(config.phy.data_rate, g.phy.data_rate, b.phy.data_rate);
   replace_rate(config.phy.control_rate, g.phy.control_rate, b.phy.control_rate);
   replace_rate(config.phy.broadcast_rate, g.phy.broadcast_rate, b.phy.broadcast_rate);
@@ -36,6 +44,45 @@ Ieee80211bConfig without_ofdm(const Ieee80211gConfig& network) {
   config.contention.slot = std::max(config.contention.slot, kLongSlot);
   std::erase_if(config.basic_rates, [](auto rate) { return !is_dsss_rate(rate); });
   if (config.basic_rates.empty()) config.basic_rates.push_back(kRateOfAll);
+  if (config.beacon_rate && !is_dsss_rate(*config.beacon_rate)) config.beacon_rate.reset();
+  return config;
+}
+
+/// A station of an older standard with MCSs, with what the network has of them.
+template <class Older>
+Older with_mcs(const HtConfig& network) {
+  const Older own;
+  Older config;
+  static_cast<Ieee80211gConfig&>(config) = network;
+  AggregationConfig& aggregation = config.aggregation;
+  aggregation.max_ampdu = std::min(aggregation.max_ampdu, own.aggregation.max_ampdu);
+  aggregation.block_ack_window =
+      std::min(aggregation.block_ack_window, own.aggregation.block_ack_window);
+  const McsConfig& mcs = network.mcs;
+  const ModeId wanted = nearest({network.modulation, mcs.mcs, mcs.streams, mcs.width, mcs.guard},
+                                {.classes = Capabilities::bit(own.modulation)});
+  config.mcs = {.mcs = std::min(mcs.mcs, highest_mcs(own.modulation)),
+                .streams = mcs.streams,
+                .width = wanted.width,
+                .guard = wanted.guard,
+                .times = mcs.times};
+  return config;
+}
+
+/// @param network  with OFDM.
+RadioConfig of_standard(const RadioConfig& network, Standard standard) {
+  const Ieee80211gConfig& ofdm = *ofdm_of(network);
+  const bool is_older = standard != rates_of(network);
+  if (standard == Standard::kIeee80211b) {
+    Ieee80211bConfig config = without_ofdm(ofdm);
+    if (ht_of(network) != nullptr) without_qos(config);
+    return config;
+  }
+  if (!is_older) return network;
+  if (standard == Standard::kIeee80211n) return with_mcs<Ieee80211nConfig>(*ht_of(network));
+  if (standard == Standard::kIeee80211ac) return with_mcs<Ieee80211acConfig>(*ht_of(network));
+  Ieee80211gConfig config = ofdm;
+  without_qos(config);
   return config;
 }
 
@@ -44,6 +91,13 @@ void mix(DcfConfig& config) {
   if (!is_dsss_rate(config.phy.broadcast_rate)) config.phy.broadcast_rate = kRateOfAll;
   std::erase_if(config.basic_rates, [](auto rate) { return !is_dsss_rate(rate); });
   if (config.basic_rates.empty()) config.basic_rates.push_back(kRateOfAll);
+  if (config.beacon_rate && !is_dsss_rate(*config.beacon_rate)) config.beacon_rate.reset();
+}
+
+void apply(const StationConfig& own, McsConfig& mcs) {
+  mcs.mcs = own.mcs.value_or(mcs.mcs);
+  mcs.streams = own.streams.value_or(mcs.streams);
+  mcs.width = own.width.value_or(mcs.width);
 }
 
 void apply(const StationConfig& own, WavesConfig& config) {
@@ -59,17 +113,34 @@ void apply(const StationConfig& own, WavesConfig& config) {
 
 }  // namespace
 
-bool knows_ofdm(const RadioConfig& network, const StationConfig& own) {
-  const std::optional<Standard> known = rates_of(network);
-  return known && own.standard.value_or(*known) == Standard::kIeee80211g;
+Capabilities capabilities_of(const RadioConfig& config) {
+  const std::optional<Standard> known = rates_of(config);
+  if (!known) return {};
+  const auto bit = [](ModulationClass one) {
+    return static_cast<unsigned>(Capabilities::bit(one));
+  };
+  const bool is_5 = is_5ghz(waves_of(config)->phy.channel);
+  unsigned classes = bit(ModulationClass::kNone);
+  for (int i = static_cast<int>(newest_class(*known)); i > 0; --i) {
+    classes |= bit(static_cast<ModulationClass>(i));
+  }
+  classes &= ~bit(is_5 ? ModulationClass::kDsss : ModulationClass::kVht);
+  Capabilities all{.classes = static_cast<std::uint8_t>(classes),
+                   .streams = 1,
+                   .width = 20,
+                   .short_guard = false};
+  if (const HtConfig* const ht = ht_of(config)) {
+    all.streams = ht->mcs.streams;
+    all.width = ht->mcs.width;
+    all.short_guard = ht->mcs.guard == Capabilities::kShortGuard;
+  }
+  return all;
 }
 
 RadioConfig config_for(const RadioConfig& network, const StationConfig& own, bool is_mixed) {
-  RadioConfig config = network;
-  if (own.standard == Standard::kIeee80211b) {
-    config = without_ofdm(std::get<Ieee80211gConfig>(network));
-  }
+  RadioConfig config = own.standard ? of_standard(network, *own.standard) : network;
   if (WavesConfig* const waves = waves_of(config)) apply(own, *waves);
+  if (HtConfig* const ht = ht_of(config)) apply(own, ht->mcs);
   if (is_mixed) mix(*dcf_of(config));
   return config;
 }

@@ -176,7 +176,7 @@ void interferer_keys(Fields& io, Jam& c) {
             c.power.value);
   io.given_count({"channel", "Channel whose whole bandwidth it occupies.", "6",
                   "that of the scenario's radio"},
-                 1, radio::kChannels, c.channel);
+                 1, radio::kLastChannel, c.channel);
   io.needed({"duration", "How long it stays.", "5 s"}, {1e-5, hal::files::config::kLongestDuration},
             c.duration);
   io.number({"duty_cycle", "Share of the time in which it transmits.", "0.5"}, "1", {1e-4, 1},

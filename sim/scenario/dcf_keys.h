@@ -55,8 +55,11 @@ inline void keys_of(Fields& io, radio::RateControlConfig& c) {
       "1", kShare, c.minstrel_sampling);
 }
 
-inline void keys_of(Fields& io, radio::DcfConfig& c) {
-  common_keys_of(io, c);
+inline void dcf_keys_but_data_rate(Fields& io, radio::DcfConfig& c) {
+  keys_but_data_rate(io, c);
+  io.given({"beacon_rate", "Rate of beacons. One of the data rates.", "1 Mb/s",
+            "that of `broadcast_rate`"},
+           "b/s", kBitRate, c.beacon_rate);
   io.count(
       {"long_retry_limit",
        "Transmissions of a data frame sent after RTS/CTS, in total, before it is given up.", "4"},
@@ -88,14 +91,20 @@ inline void keys_of(Fields& io, radio::DcfConfig& c) {
   keys_of(io, c.rate_control);
 }
 
-inline void keys_of(Fields& io, radio::Ieee80211bConfig& c) {
-  keys_of(io, static_cast<radio::DcfConfig&>(c));
-  error_model(io, c.receiver.error_model);
-  rounding(io, c.phy.rounding);
+inline void keys_of(Fields& io, radio::DcfConfig& c) {
+  data_rate(io, c.phy.data_rate);
+  dcf_keys_but_data_rate(io, c);
 }
 
-inline void keys_of(Fields& io, radio::Ieee80211gConfig& c) {
-  keys_of(io, static_cast<radio::DcfConfig&>(c));
+inline void qos_key(Fields& io, bool& qos) {
+  io.flag({"qos",
+           "Whether agents are QoS stations, which have a queue for each of four priorities "
+           "(`edca`). Those of `ieee80211n` and newer always are.",
+           "true"},
+          qos);
+}
+
+inline void ofdm_keys(Fields& io, radio::Ieee80211gConfig& c) {
   io.choice({"protection",
              "How OFDM frames are protected from stations that support 802.11b only: by a "
              "CTS-to-self or an RTS/CTS exchange before them, at `protection_rate`. auto: "

@@ -139,11 +139,12 @@ inline void data_rate(Fields& io, hal::BitsPerSecond& rate) {
 
 inline void keys_of(Fields& io, radio::PhyConfig& c) {
   io.count({"channel",
-            "Number of the channel in the 2.4 GHz band. Agents on different channels neither "
-            "receive nor disturb each other; leakage into adjacent channels is not modelled.",
+            "Number of the channel in the 2.4 GHz band, 1 to 14; with `ieee80211n` and "
+            "`ieee80211ax` also in the 5 GHz band, 36 to 165, with `ieee80211ac` only there. Of a "
+            "wider channel the primary one. Agents on different channels neither receive nor "
+            "disturb each other; leakage into adjacent channels is not modelled.",
             "6"},
-           1, radio::kChannels, c.channel);
-  data_rate(io, c.data_rate);
+           1, radio::kLastChannel, c.channel);
   io.quantity(
       {"control_rate",
        "Rate of RTS frames; with `mobility_framework` also of CTS and ACK. One of the data rates.",
@@ -215,13 +216,18 @@ inline void range(Fields& io, hal::Metres& range) {
       "m", {1e-3, kUnlimited}, range);
 }
 
-inline void common_keys_of(Fields& io, radio::WavesConfig& c) {
+inline void keys_but_data_rate(Fields& io, radio::WavesConfig& c) {
   tx_power(io, c.tx_power);
   keys_of(io, c.propagation);
   keys_of(io, c.receiver);
   keys_of(io, c.phy);
   keys_of(io, c.lengths);
   keys_of(io, c.contention);
+}
+
+inline void common_keys_of(Fields& io, radio::WavesConfig& c) {
+  data_rate(io, c.phy.data_rate);
+  keys_but_data_rate(io, c);
 }
 
 inline void keys_of(Fields& io, radio::MobilityFrameworkConfig& c) {

@@ -14,7 +14,7 @@
 #include "hal/files/config/value.h"
 #include "sim/radio/radio_rules.h"
 #include "sim/scenario/bss_section.h"
-#include "sim/scenario/dcf_keys.h"
+#include "sim/scenario/ht_keys.h"
 #include "sim/scenario/loss_section.h"
 #include "sim/scenario/propagation_section.h"
 #include "sim/scenario/radio_keys.h"
@@ -65,12 +65,14 @@ void read_basic_rates(Mapping& in, const Key& key, Standard standard, radio::Dcf
 
 /// Rates of control responses (IEEE Std 802.11-2016, 10.7.6.5).
 void basic_rates_key(Fields& io, Standard standard, radio::DcfConfig& c) {
-  const Key key{"basic_rates",
-                "Basic rates. CTS and ACK are sent at the highest of these that does not exceed "
-                "the rate of the frame that they answer, in the same modulation class; if there is "
-                "none, at the highest mandatory rate. Not empty.",
-                "[1 Mb/s, 2 Mb/s]",
-                "[1 Mb/s] (ieee80211b), [6 Mb/s, 12 Mb/s, 24 Mb/s] (ieee80211g)"};
+  const Key key{
+      "basic_rates",
+      "Basic rates. CTS and ACK are sent at the highest of these that does not exceed "
+      "the rate of the frame that they answer, in the same modulation class; if there is "
+      "none, at the highest mandatory rate. Frames with an MCS are answered in OFDM, by the "
+      "rate of their constellation and code. Not empty.",
+      "[1 Mb/s, 2 Mb/s]",
+      "[1 Mb/s] (ieee80211b), [6 Mb/s, 12 Mb/s, 24 Mb/s] (ieee80211g and newer)"};
   io.own(
       key, [&](Mapping& in) { read_basic_rates(in, key, standard, c); },
       [&](Writer& out) {
@@ -92,15 +94,25 @@ void check_rules(Mapping& in, const RadioConfig& config) {
   }
 }
 
-/// If no wavelength is given, it follows from the channel.
-void follow_channel(Mapping& in, radio::WavesConfig& waves) {
-  if (in.has("wavelength")) return;
-  hal::Metres& wavelength = waves.propagation.wavelength;
-  wavelength = radio::wavelength_on(waves.phy.channel, wavelength, 1);
+/// If no wavelength is given, it follows from the channel, and so does SIFS.
+/// @param before  the channel without the key.
+void follow_channel(Mapping& in, RadioConfig& config, std::uint32_t before) {
+  radio::WavesConfig& waves = *waves_of(config);
+  const std::uint32_t channel = waves.phy.channel;
+  if (!radio::is_channel(channel)) return;  // check_rules() says so
+  const hal::Metres wavelength = waves.propagation.wavelength;
+  const hal::Duration sifs = waves.contention.sifs;
+  if (radio::HtConfig* const ht = ht_of(config)) {
+    waves.phy.channel = before;
+    set_channel(*ht, channel);
+    if (in.has("sifs")) waves.contention.sifs = sifs;
+  }
+  waves.propagation.wavelength =
+      in.has("wavelength") ? wavelength : radio::wavelength_on(channel, wavelength, before);
 }
 
-void waves_keys(Fields& io, RadioConfig& config, radio::WavesConfig& waves) {
-  if (io.reading() != nullptr) follow_channel(*io.reading(), waves);
+void waves_keys(Fields& io, RadioConfig& config, radio::WavesConfig& waves, std::uint32_t before) {
+  if (io.reading() != nullptr) follow_channel(*io.reading(), config, before);
   chain_keys(io, waves.propagation.chain);
   io.inside({"loss",
              "Random loss of frames that would otherwise be received; recorded as `random loss`."},
@@ -114,8 +126,10 @@ void waves_keys(Fields& io, RadioConfig& config, radio::WavesConfig& waves) {
 }
 
 void profile_keys(Fields& io, RadioConfig& config) {
+  radio::WavesConfig* const waves = waves_of(config);
+  const std::uint32_t channel = waves == nullptr ? 0 : waves->phy.channel;
   std::visit([&io](auto& one) { keys_of(io, one); }, config);
-  if (radio::WavesConfig* const waves = waves_of(config)) waves_keys(io, config, *waves);
+  if (waves != nullptr) waves_keys(io, config, *waves, channel);
   if (io.reading() != nullptr) check_rules(*io.reading(), config);
 }
 
@@ -153,8 +167,8 @@ void keys_of(Fields& io, RadioConfig& config) {
   }
   io.kinds({"profile",
             "Model of the radio, which sets the defaults of the other keys: the network card of "
-            "the paper's simulations, IEEE 802.11b or 802.11g, a disk with a range and a bit rate, "
-            "or an ideal one without delay and loss.",
+            "the paper's simulations, IEEE 802.11b, g, n, ac or ax, a disk with a range and a bit "
+            "rate, or an ideal one without delay and loss.",
             "ieee80211b"},
            kProfileKinds, config, [](Fields& keys, RadioConfig& one) {
              profile_keys(keys, one);

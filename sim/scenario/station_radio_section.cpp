@@ -9,9 +9,10 @@
 #include <string>
 #include <variant>
 
+#include "sim/radio/radio_rules.h"
 #include "sim/scenario/bss_section.h"
+#include "sim/scenario/ht_keys.h"
 #include "sim/scenario/override_agents.h"
-#include "sim/scenario/radio_keys.h"
 #include "sim/scenario/radio_section.h"
 
 namespace sim::scenario {
@@ -24,7 +25,10 @@ using radio::StationConfig;
 
 constexpr const char* kOfRadio = "that of `radio`";
 constexpr std::array kStandards = {Option<Standard>{"ieee80211b", Standard::kIeee80211b},
-                                   Option<Standard>{"ieee80211g", Standard::kIeee80211g}};
+                                   Option<Standard>{"ieee80211g", Standard::kIeee80211g},
+                                   Option<Standard>{"ieee80211n", Standard::kIeee80211n},
+                                   Option<Standard>{"ieee80211ac", Standard::kIeee80211ac},
+                                   Option<Standard>{"ieee80211ax", Standard::kIeee80211ax}};
 
 bool has_power(const RadioConfig& config) {
   return std::visit(
@@ -36,9 +40,8 @@ bool has_power(const RadioConfig& config) {
 
 bool has_waves(const RadioConfig& config) { return waves_of(config) != nullptr; }
 bool has_dcf(const RadioConfig& config) { return dcf_of(config) != nullptr; }
-bool knows_ofdm(const RadioConfig& config) {
-  return std::holds_alternative<radio::Ieee80211gConfig>(config);
-}
+bool has_ofdm(const RadioConfig& config) { return ofdm_of(config) != nullptr; }
+bool has_mcs(const RadioConfig& config) { return ht_of(config) != nullptr; }
 
 /// Keys that exist only in some profiles.
 void used_keys(Fields& io, bool (*is_used)(const RadioConfig&), const RadioConfig& config,
@@ -60,16 +63,36 @@ void antenna_keys(Fields& io, StationConfig& c) {
                   "Number of the channel of these agents. Agents on different channels neither "
                   "receive nor disturb each other.",
                   "6", kOfRadio},
-                 1, radio::kChannels, c.channel);
+                 1, radio::kLastChannel, c.channel);
 }
 
 void standard_key(Fields& io, StationConfig& c) {
   io.given_choice(
       {"standard",
-       "With `profile: ieee80211g`: standard that these agents support. Those with ieee80211b have "
-       "the defaults of 802.11b and cannot decode OFDM frames, which are only energy to them.",
-       "ieee80211b", "ieee80211g"},
+       "With `profile: ieee80211g` or newer: standard that these agents support, that of the "
+       "profile "
+       "or an older one that exists in the band; in the 5 GHz band ieee80211g is 802.11a. Those "
+       "with "
+       "ieee80211b have the defaults of 802.11b. Frames in a format that agents do not support are "
+       "only energy to them.",
+       "ieee80211b", "that of `radio`"},
       kStandards, c.standard);
+}
+
+void mcs_keys(Fields& io, StationConfig& c) {
+  io.given_count({"mcs", "MCS of these agents' data frames.", "3", kOfRadio}, 0, 11, c.mcs);
+  io.given_count({"streams", "Spatial streams and antennas of these agents.", "1", kOfRadio}, 1, 4,
+                 c.streams);
+  io.given_choice({"width", "Widest channel that these agents support.", "20 MHz", kOfRadio},
+                  kWidths, c.width);
+}
+
+/// Notes what the rules of a radio exclude.
+void check_station(Fields& io, const StationConfig& c, const RadioConfig& config) {
+  if (io.reading() == nullptr) return;
+  for (const radio::BrokenRule& rule : radio::broken_rules(config, c)) {
+    if (io.reading()->has(rule.key)) io.mistake(rule.key, rule.what);
+  }
 }
 
 void rate_keys(Fields& io, StationConfig& c, const RadioConfig& config) {
@@ -98,10 +121,12 @@ void keys_of(Fields& io, StationConfig& c, const RadioConfig& config) {
                c.tx_power);
   });
   used_keys(io, has_waves, config, [&](Fields& used) { antenna_keys(used, c); });
-  used_keys(io, knows_ofdm, config, [&](Fields& used) { standard_key(used, c); });
+  used_keys(io, has_ofdm, config, [&](Fields& used) { standard_key(used, c); });
+  used_keys(io, has_mcs, config, [&](Fields& used) { mcs_keys(used, c); });
   used_keys(io, has_waves, config, [&](Fields& used) { rate_keys(used, c, config); });
   used_keys(io, has_dcf, config,
             [&](Fields& used) { own_access_points_key(used, c.access_points); });
+  check_station(io, c, config);
 }
 
 /// Settings for the radios of some of the agents.

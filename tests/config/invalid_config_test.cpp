@@ -130,7 +130,8 @@ TEST(ShippedConfig, RunsTheCaseStudyWithEveryRadioFile) {
 
 TEST(ShippedConfig, RunsTheCaseStudyWithEveryProfile) {
   const fs::path scenario = fs::path(CONFIG_DIR) / "scenarios" / "case_study.yaml";
-  for (const char* profile : {"mobility_framework", "ieee80211b", "ieee80211g", "disk", "ideal"}) {
+  for (const char* profile : {"mobility_framework", "ieee80211b", "ieee80211g", "ieee80211n",
+                              "ieee80211ac", "ieee80211ax", "disk", "ideal"}) {
     EXPECT_EQ(messages(scenario, {std::string("radio.profile=") + profile}), Lines{});
   }
 }

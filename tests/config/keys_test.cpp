@@ -81,8 +81,9 @@ const std::vector<Kind> kKinds = {
      read_radio,
      describe<sim::radio::RadioConfig>,
      {kConfig / "radios/ieee80211b.yaml", kConfig / "radios/mobility_framework.yaml",
-      kConfig / "radios/ieee80211g.yaml", kConfig / "radios/disk.yaml",
-      kConfig / "radios/ideal.yaml"}}};
+      kConfig / "radios/ieee80211g.yaml", kConfig / "radios/ieee80211n.yaml",
+      kConfig / "radios/ieee80211ac.yaml", kConfig / "radios/ieee80211ax.yaml",
+      kConfig / "radios/disk.yaml", kConfig / "radios/ideal.yaml"}}};
 
 /// Mistakes of a file with overrides.
 Lines mistakes(const Kind& kind, const fs::path& file, const Lines& overrides) {

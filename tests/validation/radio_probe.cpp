@@ -22,6 +22,7 @@
 #include "sim/radio/channel/two_ray_ground.h"
 #include "sim/radio/phy/error_model.h"
 #include "sim/radio/phy/ofdm_error_model.h"
+#include "sim/radio/phy/ofdm_mode.h"
 
 namespace {
 
@@ -39,7 +40,7 @@ double packet_errors(std::istream& words) {
   const double sinr = std::pow(10, snr / 10);
   const hal::BitsPerSecond speed{rate};
   return 1 - (model == "dsss" ? success_probability(ErrorModel::kDsss, sinr, speed, 8 * bytes)
-                              : ofdm_success_probability(sinr, speed, 8 * bytes));
+                              : ofdm_success_probability(sinr, ofdm_coding(speed), 8 * bytes));
 }
 
 double two_ray(std::istream& words) {

@@ -30,9 +30,14 @@ std::uint32_t bits_of(const LengthsConfig& lengths, const Outgoing& msdu) {
   return mpdu_bits(lengths, FrameType::kData, msdu.request.payload->size()) + kQosControlBits;
 }
 
-/// A single MPDU is not put into an A-MPDU.
-PsduSize finished(const PsduSize& size, const MpduStream& stream) {
-  return size.mpdus == 1 ? PsduSize{1, stream.in_flight.front().bits} : size;
+/// Length of the PSDU of a single MPDU: in VHT and HE it has a delimiter, too (an S-MPDU).
+std::uint32_t single_bits(const PhyMode& mode, std::uint32_t mpdu_bits) {
+  return mpdu_bits + (mode.modulation_class() > ModulationClass::kHt ? kDelimiterBits : 0);
+}
+
+PsduSize finished(const PsduSize& size, const MpduStream& stream, const PhyMode& mode) {
+  if (size.mpdus != 1) return size;
+  return {1, single_bits(mode, stream.in_flight.front().bits)};
 }
 
 bool belongs(const MpduStream& stream, const Outgoing& outgoing) {
@@ -55,9 +60,11 @@ std::optional<PsduSize> Aggregation::with(const PsduSize& size, std::uint32_t mp
                                           const PpduLimits& limits) const {
   const PsduSize next{size.mpdus + 1, with_subframe(size.bits, mpdu_bits)};
   const bool is_single = size.mpdus == 0;
-  if (!is_single && next.bits > 8 * config_.aggregation.max_ampdu) return std::nullopt;
+  const std::uint32_t most = std::min(config_.aggregation.max_ampdu, limits.mode.longest_psdu());
+  if (!is_single && next.bits > 8 * most) return std::nullopt;
   if (is_single && limits.single_may_exceed) return next;
-  if (limits.mode.airtime(is_single ? mpdu_bits : next.bits) > limits.airtime) return std::nullopt;
+  const std::uint32_t bits = is_single ? single_bits(limits.mode, mpdu_bits) : next.bits;
+  if (limits.mode.airtime(bits) > limits.airtime) return std::nullopt;
   return next;
 }
 
@@ -97,7 +104,7 @@ PsduSize Aggregation::fill(MpduStream& stream, TxQueue& queue, const PpduLimits&
   PsduSize size;
   for (const Mpdu& mpdu : stream.in_flight) {
     const std::optional<PsduSize> next = with(size, mpdu.bits, limits);
-    if (!next) return finished(size, stream);
+    if (!next) return finished(size, stream, limits.mode);
     size = *next;
   }
   std::size_t place = 0;
@@ -110,7 +117,7 @@ PsduSize Aggregation::fill(MpduStream& stream, TxQueue& queue, const PpduLimits&
     if (!next) break;  // it is the first of the next A-MPDU
     size = *next;
   }
-  return finished(size, stream);
+  return finished(size, stream, limits.mode);
 }
 
 }  // namespace sim::radio

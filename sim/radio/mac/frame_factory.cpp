@@ -98,6 +98,7 @@ std::shared_ptr<Frame> FrameFactory::data(const MacRequest& request, const DataO
 }
 
 const PhyMode& FrameFactory::data_mode(const MacRequest& request) const {
+  if (request.header.type == FrameType::kBeacon) return modes_.beacon();
   const bool is_basic = request.destination == hal::kEveryone || is_management(request.header.type);
   return is_basic ? modes_.broadcast() : modes_.data();
 }

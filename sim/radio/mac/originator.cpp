@@ -11,12 +11,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// aPPDUMaxTime of HT, VHT and HE (IEEE Std 802.11-2020, table 19-25).
-constexpr hal::Duration kLongestPpdu = 5484us;
 /// How long an originator waits for an answer to its request for an agreement.
 constexpr hal::Duration kAgreementTimeout = 200ms;
-
-bool knows_ampdu(const PhyMode& mode) { return mode.modulation_class() > ModulationClass::kOfdm; }
 
 }  // namespace
 
@@ -88,9 +84,11 @@ void Originator::discard_expired(Function& function, hal::Time now, EndedMsdus& 
   }
 }
 
-/// Whether a request is unicast data with the QoS header.
+/// Whether a request is unicast data with the QoS header, which older stations do not know.
 bool Originator::is_stream(const Outgoing& outgoing) const {
-  return config_.qos && !outgoing.is_broadcast() && !outgoing.is_management();
+  if (!config_.qos || outgoing.is_broadcast() || outgoing.is_management()) return false;
+  return !has_streams(modes_.data().modulation_class()) ||
+         cell_.capabilities(outgoing.request.destination).supports(ModulationClass::kHt);
 }
 
 MpduStream& Originator::stream_of(const Outgoing& outgoing) {
@@ -107,7 +105,8 @@ MpduStream& Originator::stream_of(const Outgoing& outgoing) {
 /// Asks the receiver for an agreement if it is time. @return whether the request is to be sent now.
 bool Originator::request_agreement(MpduStream& stream, Function& function, hal::Time now) {
   if (config_.aggregation.max_ampdu == 0 || stream.agreement == MpduStream::Agreement::kActive ||
-      now < stream.ask_from || !stream.in_flight.empty() || !knows_ampdu(modes_.data())) {
+      now < stream.ask_from || !stream.in_flight.empty() ||
+      !has_streams(modes_.data().modulation_class())) {
     return false;
   }
   stream.agreement = MpduStream::Agreement::kRequested;
@@ -179,7 +178,9 @@ std::optional<Exchange> Originator::stream_exchange(ContentionFunction number, M
   const hal::Duration after = config_.contention.sifs + response_airtime(exchange);
   const PsduSize size = aggregation_.fill(
       stream, function.queue,
-      {*exchange.mode, std::min(kLongestPpdu, budget.left - after), budget.is_first}, now);
+      {*exchange.mode, std::min(exchange.mode->longest_ppdu(), budget.left - after),
+       budget.is_first},
+      now);
   if (size.mpdus == 0) {
     settle(function, stream);
     return std::nullopt;
@@ -226,7 +227,11 @@ PpduPtr Originator::make_head(const Exchange& exchange, hal::Duration after, hal
 PpduPtr Originator::make_mpdus(const Exchange& exchange, hal::Duration after, hal::Time now) {
   std::deque<Mpdu>& mpdus = exchange.stream->in_flight;
   if (exchange.mpdus == 1) {
-    return ppdu_of(make_mpdu(exchange, mpdus.front(), after, now));
+    auto single = std::make_shared<Ppdu>(*exchange.mode, exchange.bits);
+    std::shared_ptr<Frame> frame = make_mpdu(exchange, mpdus.front(), after, now);
+    frame->airtime = single->airtime;
+    single->parts.push_back({std::move(frame), 0, exchange.bits});
+    return single;
   }
   ++ampdus_;
   auto ppdu = std::make_shared<Ppdu>(*exchange.mode, exchange.bits);

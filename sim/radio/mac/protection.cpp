@@ -1,20 +1,28 @@
 #include "sim/radio/mac/protection.h"
 
 namespace sim::radio {
-namespace {
-
-ProtectionKind resolved(ProtectionKind kind, const Cell& cell) {
-  if (kind != ProtectionKind::kAuto) return kind;
-  return cell.is_mixed() ? ProtectionKind::kCtsToSelf : ProtectionKind::kNone;
+Protection::Protection(const DcfConfig& config, const ModeSet& modes, const Cell& cell)
+    : config_(config),
+      modes_(modes),
+      cell_(cell),
+      kind_(config.protection == ProtectionKind::kAuto ? ProtectionKind::kCtsToSelf
+                                                       : config.protection) {
+  const bool is_auto = config.protection == ProtectionKind::kAuto;
+  const bool is_any = kind_ != ProtectionKind::kNone;
+  protects_ofdm_ = is_auto ? cell.is_mixed() : is_any;
+  protects_ht_ = is_auto ? !cell.all_support(ModulationClass::kHt) : is_any;
 }
 
-}  // namespace
-
-Protection::Protection(const DcfConfig& config, const ModeSet& modes, const Cell& cell)
-    : config_(config), modes_(modes), cell_(cell), kind_(resolved(config.protection, cell)) {}
-
 bool Protection::protects(const PhyMode& data) const {
-  return kind_ != ProtectionKind::kNone && data.modulation_class() == ModulationClass::kOfdm;
+  if (has_streams(data.modulation_class())) return protects_ht_;
+  return data.modulation_class() == ModulationClass::kOfdm && protects_ofdm_;
+}
+
+/// Whether the opening must be in DSSS.
+bool Protection::needs_dsss(hal::AgentId to, const PhyMode& data) const {
+  if (!cell_.capabilities(to).supports(ModulationClass::kOfdm)) return true;
+  if (!protects(data)) return false;
+  return !has_streams(data.modulation_class()) || !cell_.all_support(ModulationClass::kOfdm);
 }
 
 Opening Protection::opening(bool is_group, const PhyMode& data, std::uint32_t bits) const {
@@ -28,12 +36,10 @@ Opening Protection::opening(bool is_group, const PhyMode& data, std::uint32_t bi
 const PhyMode& Protection::mode(hal::AgentId to, const PhyMode& data) const {
   const PhyMode& control = modes_.control();
   const bool is_ofdm = control.modulation_class() == ModulationClass::kOfdm;
-  if (is_ofdm && (protects(data) || !cell_.knows_ofdm(to))) {
-    return modes_.at(config_.protection_rate);
-  }
+  if (is_ofdm && needs_dsss(to, data)) return modes_.at(config_.protection_rate);
   // Rate control has chosen a lower rate: an RTS at a higher rate than the data would be lost.
   const bool is_automatic = config_.rate_control.kind != RateControlKind::kFixed;
-  if (is_automatic && control.rate() > data.rate()) return modes_.response_to(data);
+  if (is_automatic && control.rate() > data.reference_rate()) return modes_.response_to(data);
   return control;
 }
 

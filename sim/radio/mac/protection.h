@@ -17,8 +17,10 @@ enum class Opening : std::uint8_t {
 };
 
 /// How one station opens its exchanges: RTS/CTS above the threshold (10.3.2.7), and protection of
-/// OFDM frames where there are stations that do not support OFDM (10.26). Protecting frames are
-/// sent in DSSS, which every station receives, and their Duration covers the exchange.
+/// OFDM frames where there are stations that do not support OFDM, and of HT, VHT and HE frames
+/// where there are stations that do not support HT (10.26; IEEE Std 802.11-2020, 10.27). Protecting
+/// frames are sent in what every station receives, DSSS if one does not support OFDM, and their
+/// Duration covers the exchange.
 class Protection {
  public:
   /// @param config,modes,cell  outlive this object.
@@ -32,11 +34,13 @@ class Protection {
 
  private:
   bool protects(const PhyMode& data) const;
+  bool needs_dsss(hal::AgentId to, const PhyMode& data) const;
 
   const DcfConfig& config_;
   const ModeSet& modes_;
   const Cell& cell_;
   ProtectionKind kind_;  ///< Resolved: never kAuto.
+  bool protects_ofdm_ = false, protects_ht_ = false;
 };
 
 }  // namespace sim::radio

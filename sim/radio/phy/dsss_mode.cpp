@@ -1,5 +1,7 @@
 #include "sim/radio/phy/dsss_mode.h"
 
+#include <algorithm>
+
 #include "sim/radio/phy/error_model.h"
 
 namespace sim::radio {
@@ -23,10 +25,15 @@ bool is_short(hal::BitsPerSecond rate, Preamble preamble) {
   return preamble == Preamble::kShort && rate > hal::BitsPerSecond{1e6};
 }
 
+std::uint8_t place_of(hal::BitsPerSecond rate) {
+  return static_cast<std::uint8_t>(std::ranges::find(kDsssRates, rate.value) - kDsssRates.begin());
+}
+
 }  // namespace
 
 DsssMode::DsssMode(hal::BitsPerSecond rate, const Options& options)
-    : PhyMode(rate, is_short(rate, options.preamble) ? 72us : 144us,
+    : PhyMode({.modulation = ModulationClass::kDsss, .mcs = place_of(rate)}, rate,
+              is_short(rate, options.preamble) ? 72us : 144us,
               is_short(rate, options.preamble) ? 24us : 48us),
       header_rate_(is_short(rate, options.preamble) ? 2e6 : 1e6),
       rounding_(options.rounding),
@@ -53,7 +60,7 @@ double DsssMode::success(double sinr, double bits) const {
 }
 
 PlainMode::PlainMode(hal::BitsPerSecond rate, bool is_instant)
-    : PhyMode(rate, {}, {}), is_instant_(is_instant) {}
+    : PhyMode({}, rate, {}, {}), is_instant_(is_instant) {}
 
 hal::Duration PlainMode::airtime(std::uint32_t mpdu_bits) const {
   return is_instant_ ? hal::Duration{} : exact(mpdu_bits, rate());

@@ -19,7 +19,6 @@ class DsssMode final : public PhyMode {
   /// @pre rate is 1, 2, 5.5 or 11 Mb/s.
   DsssMode(hal::BitsPerSecond rate, const Options& options);
 
-  ModulationClass modulation_class() const override { return ModulationClass::kDsss; }
   hal::Duration airtime(std::uint32_t mpdu_bits) const override;  ///< 16.3.4.
   double header_success(double sinr, double share) const override;
   double success(double sinr, double bits) const override;

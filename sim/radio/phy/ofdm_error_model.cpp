@@ -7,20 +7,35 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/types/check.h"
 #include "hal/types/math.h"
 
 namespace sim::radio {
 namespace {
 
 /// Bit error rate of a constellation: weight * erfc(sqrt(sinr / divisor)), for Gray-coded square
-/// constellations and nearest neighbours.
-struct Constellation {
+/// constellations and nearest neighbours: of k * k points, (k - 1) / (k log2(k * k)) and
+/// 2 (k * k - 1) / 3.
+struct BitError {
   double weight;
   double divisor;
 };
-constexpr Constellation kBpsk{1.0 / 2, 1}, kQpsk{1.0 / 2, 2}, kQam16{3.0 / 8, 10},
-    kQam64{7.0 / 24, 42};
+constexpr BitError bit_error_of(Constellation constellation) {
+  switch (constellation) {
+    case Constellation::kBpsk:
+      return {1.0 / 2, 1};
+    case Constellation::kQpsk:
+      return {1.0 / 2, 2};
+    case Constellation::kQam16:
+      return {3.0 / 8, 10};
+    case Constellation::kQam64:
+      return {7.0 / 24, 42};
+    case Constellation::kQam256:
+      return {15.0 / 64, 170};
+    case Constellation::kQam1024:
+      break;
+  }
+  return {31.0 / 160, 682};
+}
 
 /// Numbers of wrong information bits, summed over all wrong paths of each Hamming distance `first`,
 /// `first + step`, ...
@@ -30,24 +45,15 @@ struct Code {
   double inputs;                  ///< Information bits per puncturing period.
   std::array<double, 10> errors;  ///< Sum over the paths of each distance.
 };
-constexpr Code kHalf{
-    10, 2, 1, {36, 211, 1404, 11633, 77433, 502690, 3322763, 21292910, 134365911, 0}};
-constexpr Code kTwoThirds{
-    6, 1, 2, {3, 70, 285, 1276, 6160, 27128, 117019, 498860, 2103891, 8784123}};
-constexpr Code kThreeQuarters{
-    5, 1, 3, {42, 201, 1492, 10469, 62935, 379644, 2253373, 13073811, 75152755, 428005675}};
-
-struct Coding {
-  double rate;  ///< bit/s
-  const Constellation& constellation;
-  const Code& code;
-};
-/// IEEE Std 802.11-2016, table 17-4.
-constexpr std::array kCodings{
-    Coding{6e6, kBpsk, kHalf},        Coding{9e6, kBpsk, kThreeQuarters},
-    Coding{12e6, kQpsk, kHalf},       Coding{18e6, kQpsk, kThreeQuarters},
-    Coding{24e6, kQam16, kHalf},      Coding{36e6, kQam16, kThreeQuarters},
-    Coding{48e6, kQam64, kTwoThirds}, Coding{54e6, kQam64, kThreeQuarters}};
+/// By CodeRate.
+constexpr std::array kCodes{
+    Code{10, 2, 1, {36, 211, 1404, 11633, 77433, 502690, 3322763, 21292910, 134365911, 0}},
+    Code{6, 1, 2, {3, 70, 285, 1276, 6160, 27128, 117019, 498860, 2103891, 8784123}},
+    Code{5, 1, 3, {42, 201, 1492, 10469, 62935, 379644, 2253373, 13073811, 75152755, 428005675}},
+    Code{4,
+         1,
+         5,
+         {92, 528, 8694, 79453, 792114, 7375573, 67884974, 610875423, 5427275376, 47664215639}}};
 
 /// Union bound of the probability of the decoder's first error event, per information bit.
 double decoded_error(const Code& code, double channel_error) {
@@ -64,8 +70,9 @@ double decoded_error(const Code& code, double channel_error) {
 
 /// Probability of the decoder's first error event, per information bit.
 double bit_error(const Coding& coding, double sinr) {
-  const Constellation& c = coding.constellation;
-  return decoded_error(coding.code, c.weight * hal::math::erfc(std::sqrt(sinr / c.divisor)));
+  const BitError c = bit_error_of(coding.constellation);
+  return decoded_error(kCodes[static_cast<std::size_t>(coding.rate)],
+                       c.weight * hal::math::erfc(std::sqrt(sinr / c.divisor)));
 }
 
 /// Results of bit_error(): between stations that stand still the same few ratios occur again and
@@ -74,16 +81,16 @@ class BitErrors {
  public:
   double at(const Coding& coding, double sinr) {
     Entry& entry = entries_[place_of(sinr)];
-    if (entry.coding != &coding || entry.sinr != sinr)
-      entry = {&coding, sinr, bit_error(coding, sinr)};
+    if (entry.sinr != sinr || entry.coding != coding)
+      entry = {sinr, bit_error(coding, sinr), coding};
     return entry.error;
   }
 
  private:
   static constexpr int kBits = 10;
   struct Entry {
-    const Coding* coding = nullptr;
-    double sinr = 0, error = 0;
+    double sinr = -1, error = 0;  // no SINR is negative
+    Coding coding{};
   };
   static std::size_t place_of(double sinr) {
     constexpr std::uint64_t kMix = 0x9e37'79b9'7f4a'7c15;
@@ -95,12 +102,10 @@ class BitErrors {
 
 }  // namespace
 
-double ofdm_success_probability(double sinr, hal::BitsPerSecond rate, double bits) {
+double ofdm_success_probability(double sinr, const Coding& coding, double bits) {
   if (bits <= 0) return 1;
-  const auto* const found = std::ranges::find(kCodings, rate.value, &Coding::rate);
-  BARAKA_CHECK(found != kCodings.end());
   static thread_local BitErrors known;
-  const double right = 1 - known.at(*found, sinr);
+  const double right = 1 - known.at(coding, sinr);
   return right >= 1 ? 1 : hal::math::pow(right, bits);
 }
 

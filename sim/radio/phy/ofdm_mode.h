@@ -1,21 +1,28 @@
 #pragma once
 
+#include "sim/radio/phy/coding.h"
 #include "sim/radio/phy/phy_mode.h"
 #include "sim/radio/radio_config.h"
 
 namespace sim::radio {
 
-/// ERP-OFDM in 20 MHz: IEEE Std 802.11-2016, clauses 17 and 18.
+/// Coding of a rate of OFDM in 20 MHz. @pre rate is 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s.
+Coding ofdm_coding(hal::BitsPerSecond rate);
+
+/// OFDM in 20 MHz: IEEE Std 802.11-2016, clause 17, in 5 GHz, and ERP-OFDM, clause 18, in 2.4 GHz.
 ///
 /// Preamble 16 us and SIGNAL 4 us; symbols of 4 us for 16 service bits, the MPDU and 6 tail bits;
-/// then 6 us of signal extension (18.3.2.4), during which nothing is sent. With
+/// then, of ERP-OFDM, 6 us of signal extension (18.3.2.4), during which nothing is sent. With
 /// BitsAtRisk::kPayloadTime the bits at risk fill the signal extension, too.
 class OfdmMode final : public PhyMode {
  public:
+  struct Options {
+    BitsAtRisk at_risk = BitsAtRisk::kMpdu;
+    bool is_erp = true;  ///< In 2.4 GHz.
+  };
   /// @pre rate is 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s.
-  explicit OfdmMode(hal::BitsPerSecond rate, BitsAtRisk at_risk = BitsAtRisk::kMpdu);
+  OfdmMode(hal::BitsPerSecond rate, const Options& options);
 
-  ModulationClass modulation_class() const override { return ModulationClass::kOfdm; }
   bool is_mandatory() const override;  ///< 6, 12 and 24 Mb/s (18.2.2.3).
   hal::Duration signal_extension() const override;
   double bits_at_risk(std::uint32_t mpdu_bits) const override;
@@ -24,7 +31,10 @@ class OfdmMode final : public PhyMode {
   double success(double sinr, double bits) const override;
 
  private:
-  BitsAtRisk at_risk_;
+  hal::Duration extension() const;
+
+  Options options_;
+  Coding coding_;
 };
 
 }  // namespace sim::radio

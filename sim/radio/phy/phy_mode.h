@@ -4,11 +4,9 @@
 
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/radio/phy/mode_id.h"
 
 namespace sim::radio {
-
-/// Modulation class. Frames are answered in their own class (IEEE Std 802.11-2016, 10.7.6.5.3).
-enum class ModulationClass : std::uint8_t { kNone, kDsss, kOfdm };
 
 /// One way to send an MPDU: its rate, and the preamble and PHY header with which its frames begin.
 /// Computes how long such a frame is on the air and how probable its reception is. Independent of
@@ -17,8 +15,13 @@ class PhyMode {
  public:
   virtual ~PhyMode() = default;
 
+  const ModeId& id() const { return id_; }
   hal::BitsPerSecond rate() const { return rate_; }  ///< Rate of the MPDU.
-  virtual ModulationClass modulation_class() const { return ModulationClass::kNone; }
+  ModulationClass modulation_class() const { return id_.modulation; }
+  std::uint16_t width() const { return id_.width; }  ///< MHz; SINR is that within this width.
+  /// Rate from which that of a control response follows: of classes with MCSs the non-HT reference
+  /// rate (IEEE Std 802.11-2020, table 10-10), else rate().
+  virtual hal::BitsPerSecond reference_rate() const { return rate_; }
   /// Whether every station that supports this class supports this mode.
   virtual bool is_mandatory() const { return true; }
   /// Duration of the preamble, to which a receiver synchronises; the PHY header follows, at another
@@ -32,6 +35,11 @@ class PhyMode {
   /// signal extension.
   virtual double bits_at_risk(std::uint32_t mpdu_bits) const { return mpdu_bits; }
 
+  /// Most bytes of one PSDU (aPSDUMaxLength; of DSSS and OFDM what LENGTH can express).
+  virtual std::uint32_t longest_psdu() const { return 4095; }
+  /// Longest PPDU (aPPDUMaxTime).
+  virtual hal::Duration longest_ppdu() const { return hal::Duration::max(); }
+
   /// TXTIME: duration of preamble, header, MPDU of `mpdu_bits` bits (with FCS) and signal
   /// extension.
   virtual hal::Duration airtime(std::uint32_t mpdu_bits) const = 0;
@@ -44,10 +52,11 @@ class PhyMode {
   virtual double success(double sinr, double bits) const = 0;
 
  protected:
-  PhyMode(hal::BitsPerSecond rate, hal::Duration preamble, hal::Duration header)
-      : rate_(rate), preamble_(preamble), header_(header) {}
+  PhyMode(const ModeId& id, hal::BitsPerSecond rate, hal::Duration preamble, hal::Duration header)
+      : id_(id), rate_(rate), preamble_(preamble), header_(header) {}
 
  private:
+  ModeId id_;
   hal::BitsPerSecond rate_;
   hal::Duration preamble_, header_;
 };

@@ -27,7 +27,7 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
       rules_(air.rules),
       index_(index),
       agent_(agent),
-      knows_ofdm_(air.knows_ofdm),
+      known_(air.known),
       loss_(air.loss),
       errors_(errors),
       cca_threshold_(to_milliwatts(air.config.cca_threshold).value),
@@ -130,10 +130,8 @@ std::optional<hal::Verdict> Radio::refuse(const Signal& signal) const {
   return std::nullopt;
 }
 
-/// Whether this radio can interpret neither the preamble nor the header of a PPDU.
-bool Radio::is_foreign(const Ppdu& ppdu) const {
-  return !knows_ofdm_ && ppdu.mode->modulation_class() == ModulationClass::kOfdm;
-}
+/// Whether this radio can interpret not even the preamble of a PPDU.
+bool Radio::is_foreign(const Ppdu& ppdu) const { return !known_.hears(ppdu.mode->id()); }
 
 bool Radio::synchronise(Signal& signal) {
   if (held_) {
@@ -245,6 +243,11 @@ void Radio::end_signal(const Ppdu& ppdu, bool cut) {
 /// Decides the verdict of each MPDU of the held PPDU. @return the error if none was received.
 ReceiveError Radio::judge_held(Verdicts& verdicts) {
   ReceiveError error = ReceiveError::kBitError;
+  if (!known_.supports(held_->ppdu().mode->id())) {
+    // An older receiver takes the signal field for that of its own class, and the FCS is wrong.
+    std::ranges::fill(verdicts, hal::Verdict::kPreambleMissed);
+    return error;
+  }
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const Reception::Outcome outcome = held_->judge(i, rules_, errors_);
     verdicts[i] = outcome.verdict;
@@ -279,8 +282,12 @@ Interference Radio::interference(const Ppdu& wanted) const {
   Interference others;
   for (const Signal& signal : signals_) {
     if (signal.ppdu == &wanted) continue;
-    others.sum += signal.arrival.power.value;
-    others.strongest = std::max(others.strongest, signal.arrival.power.value);
+    double power = signal.arrival.power.value;
+    // Of a wider PPDU, the part within the width of the wanted one.
+    const double width = wanted.mode->width(), other = signal.ppdu->mode->width();
+    if (other > width) power *= width / other;
+    others.sum += power;
+    others.strongest = std::max(others.strongest, power);
   }
   return others;
 }

@@ -12,6 +12,7 @@
 #include "sim/radio/channel/station_index.h"
 #include "sim/radio/mac/observer.h"
 #include "sim/radio/mac/ppdu.h"
+#include "sim/radio/phy/capabilities.h"
 #include "sim/radio/phy/radio_use.h"
 #include "sim/radio/phy/reception.h"
 #include "sim/radio/phy/timed_state.h"
@@ -77,7 +78,7 @@ class Radio {
     RadioObserver& observer;
     const ReceiverConfig& config;
     const ReceptionRules& rules;
-    bool knows_ofdm = true;            ///< false: OFDM frames are only energy to it.
+    Capabilities known{};              ///< Frames in other modes are only energy to it.
     const RandomLoss* loss = nullptr;  ///< Null: no random loss.
   };
 
@@ -178,7 +179,7 @@ class Radio {
   const ReceptionRules& rules_;
   StationIndex index_;
   hal::AgentId agent_;
-  bool knows_ofdm_;
+  Capabilities known_;
   const RandomLoss* loss_;
   hal::RandomStream errors_;
   RadioListener* listener_ = nullptr;

@@ -9,6 +9,8 @@
 namespace sim::radio {
 namespace {
 
+constexpr double kNoiseWidth = 20;  // MHz, for which ReceiverConfig::noise_floor is given
+
 struct Span {
   hal::Time low, high;
 };
@@ -41,12 +43,13 @@ Reception::Reception(const Ppdu& ppdu, double power, hal::Time start, hal::Time 
       start_(start),
       locked_(locked),
       heard_until_(locked),
+      width_(ppdu.mode->width() / kNoiseWidth),
       min_sinr_(std::numeric_limits<double>::infinity()),
       others_(ppdu.parts.size() - 1, 1.0) {}
 
 void Reception::hear(const ReceptionRules& rules, const Interference& interference, hal::Time now) {
   if (now == heard_until_) return;
-  const double sinr = power_ / (rules.noise + interference.sum);
+  const double sinr = power_ / (rules.noise * width_ + interference.sum);
   min_sinr_ = std::min(min_sinr_, sinr);
   worst_.sum = std::max(worst_.sum, interference.sum);
   worst_.strongest = std::max(worst_.strongest, interference.strongest);

@@ -89,6 +89,7 @@ class Reception {
   hal::Time start_;
   hal::Time locked_;
   hal::Time heard_until_;
+  double width_;  ///< Of the PPDU, over that of the noise floor.
   double min_sinr_;
   /// kDsss: product over all intervals so far of the header, and of the first MPDU.
   double header_success_ = 1, success_ = 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -20,28 +21,38 @@ struct Rung {
 };
 using Ladder = std::vector<Rung>;  ///< In ascending order of rates, not empty.
 
-/// The modes of a station with this config up to DcfConfig's data rate.
+/// The modes of a station with this config for any receiver: those without MCSs up to the reference
+/// rate of its data mode, in ascending order of rates, then those with MCSs; the data mode itself
+/// is the last.
 Ladder make_ladder(const DcfConfig& config, const ModeSet& modes);
 
-/// The modes of one station's data frames, depending on the receiver: a NonERP station does not
-/// support OFDM.
+/// The modes of one station's data frames, depending on the capabilities of the receiver: those of
+/// the newest class that both know, in the greatest common width, up to as many streams as both
+/// have and up to the MCS of the sender's data mode; of the classes without MCSs all rates that
+/// both know.
 class RateLadders {
  public:
-  /// @param all  modes of the station up to its highest, in ascending order; the first is DSSS.
-  /// @param cell  outlives this object.
-  RateLadders(const Ladder& all, const Cell& cell) : erp_(all), cell_(cell) {
-    for (const Rung& rung : all) {
-      if (rung.mode->modulation_class() != ModulationClass::kOfdm) non_erp_.push_back(rung);
-    }
-  }
+  /// @param all  of make_ladder().
+  /// @param cell  outlives this object and has all stations before the first call of to().
+  RateLadders(const Ladder& all, const Cell& cell);
 
-  const Ladder& to(hal::AgentId station) const {
-    return cell_.knows_ofdm(station) ? erp_ : non_erp_;
-  }
+  /// @return a reference that is valid as long as this object.
+  const Ladder& to(hal::AgentId station) const;
 
  private:
-  Ladder erp_, non_erp_;
+  struct Made {
+    Capabilities capabilities;
+    std::unique_ptr<const Ladder> ladder;
+  };
+
+  Ladder ladder_for(const Capabilities& receiver) const;
+  Ladder legacy_ladder(const Capabilities& receiver) const;
+  Ladder mcs_ladder(const ModeId& best) const;
+
+  Ladder all_;
   const Cell& cell_;
+  ModeId wanted_;                   ///< The data mode.
+  mutable std::vector<Made> made_;  ///< For each kind of receiver that was asked for.
 };
 
 }  // namespace sim::radio

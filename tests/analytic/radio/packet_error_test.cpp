@@ -9,6 +9,7 @@
 #include "hal/types/math.h"
 #include "sim/radio/phy/error_model.h"
 #include "sim/radio/phy/ofdm_error_model.h"
+#include "sim/radio/phy/ofdm_mode.h"
 
 namespace sim::radio::test {
 namespace {
@@ -57,8 +58,9 @@ TEST(OfdmPacketError, MatchesThePeer) {
   const std::vector<Row> rows = peer_rows("nist,g");
   ASSERT_EQ(rows.size(), 158u);
   for (const Row& row : rows) {
-    const double per = 1 - ofdm_success_probability(ratio(row.snr_db), hal::BitsPerSecond{row.rate},
-                                                    8.0 * row.bytes);
+    const double per =
+        1 - ofdm_success_probability(ratio(row.snr_db), ofdm_coding(hal::BitsPerSecond{row.rate}),
+                                     8.0 * row.bytes);
     EXPECT_NEAR(per, row.per, 1e-8)
         << row.rate << " bit/s, " << row.bytes << " bytes, " << row.snr_db << " dB";
   }
@@ -66,7 +68,7 @@ TEST(OfdmPacketError, MatchesThePeer) {
 
 TEST(OfdmPacketError, FallsWithTheSinrAndVanishes) {
   for (const double rate : {6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6}) {
-    const hal::BitsPerSecond r{rate};
+    const Coding r = ofdm_coding(hal::BitsPerSecond{rate});
     EXPECT_EQ(ofdm_success_probability(std::numeric_limits<double>::infinity(), r, 1e4), 1.0);
     EXPECT_EQ(ofdm_success_probability(0, r, 1e4), 0.0);
     double before = 0;

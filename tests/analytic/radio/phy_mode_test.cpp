@@ -177,5 +177,20 @@ TEST(ControlResponse, IsAtTheHighestBasicRateNotAboveTheFrames) {
   EXPECT_EQ(response(11e6), 11e6) << "mandatory";
 }
 
+// The class tells 6 Mb/s of OFDM from any other mode of that rate, and the place its rate.
+TEST(ModeIdentity, IsTheClassAndThePlaceOfTheRate) {
+  const ModeSet modes(Ieee80211gConfig{});
+  const PhyMode& slow = modes.at(hal::BitsPerSecond{6e6});
+  EXPECT_EQ(slow.id(), (ModeId{.modulation = ModulationClass::kOfdm, .mcs = 0, .guard = 800ns}));
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{11e6}).id(),
+            (ModeId{.modulation = ModulationClass::kDsss, .mcs = 3}));
+  for (const auto& mode : modes.all()) {
+    EXPECT_EQ(modes.find(mode->id()), mode.get());
+    EXPECT_EQ(mode->reference_rate(), mode->rate());
+    EXPECT_EQ(mode->width(), 20);
+  }
+  EXPECT_EQ(modes.find({.modulation = ModulationClass::kHt}), nullptr);
+}
+
 }  // namespace
 }  // namespace sim::radio::test

@@ -1,4 +1,5 @@
 #include "sim/radio/rate/rate_control.h"
+#include "sim/radio/station_profile.h"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +22,8 @@ constexpr hal::AgentId kPeer{2}, kOther{3}, kOld{4};
 class RateControlTest : public testing::Test {
  protected:
   RateControlTest() : config_(Ieee80211gConfig{}), modes_(config_) {
-    cell_.add(kPeer, true);
-    cell_.add(kOld, false);
+    cell_.add(kPeer, capabilities_of(Ieee80211gConfig{}));
+    cell_.add(kOld, capabilities_of(Ieee80211bConfig{}));
     ladders_.emplace(make_ladder(std::get<Ieee80211gConfig>(config_), modes_), cell_);
   }
   double mbps(RateControl& control, hal::AgentId to = kPeer, std::uint32_t attempt = 0) {

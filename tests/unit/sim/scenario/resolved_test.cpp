@@ -530,8 +530,8 @@ TEST_F(Resolved, KeepsEndsAndExpectations) {
 }
 
 TEST_F(Resolved, HoldsForEveryRadioProfile) {
-  for (const std::string profile :
-       {"mobility_framework", "ieee80211b", "ieee80211g", "disk", "ideal"}) {
+  for (const std::string profile : {"mobility_framework", "ieee80211b", "ieee80211g", "ieee80211n",
+                                    "ieee80211ac", "ieee80211ax", "disk", "ideal"}) {
     const auto file = std::string(CONFIG_DIR) + "/scenarios/two_motes.yaml";
     const std::string once = resolved_yaml(load_scenario(file, {"radio.profile=" + profile}));
     EXPECT_EQ(resolved_yaml(load(once)), once) << profile;
@@ -567,8 +567,8 @@ TEST_F(Resolved, KeepsTheKeysOfTheStandards) {
 // others unknowingly.
 TEST(RadioFiles, SpellOutTheDefaultsOfTheirProfiles) {
   const std::string config = CONFIG_DIR;
-  for (const std::string profile :
-       {"mobility_framework", "ieee80211b", "ieee80211g", "disk", "ideal"}) {
+  for (const std::string profile : {"mobility_framework", "ieee80211b", "ieee80211g", "ieee80211n",
+                                    "ieee80211ac", "ieee80211ax", "disk", "ideal"}) {
     const std::string scenario = config + "/scenarios/two_motes.yaml";
     const std::string file = config + "/radios/" + profile + ".yaml";
     EXPECT_EQ(resolved_yaml(load_scenario(scenario, {"radio.include=" + file})),

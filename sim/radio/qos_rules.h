@@ -1,0 +1,14 @@
+#pragma once
+
+#include "sim/radio/radio_config.h"
+#include "sim/radio/rule_list.h"
+
+namespace sim::radio {
+
+/// What must hold of contention windows, EDCA, modes with MCSs, and aggregation.
+void ask_window(Rules& rules, std::string_view key, std::uint32_t window);
+void ask_edca(Rules& rules, const EdcaConfig& edca);
+void ask_mcs(Rules& rules, const HtConfig& config);
+void ask_aggregation(Rules& rules, const HtConfig& config);
+
+}  // namespace sim::radio
