@@ -68,6 +68,7 @@ HtConfig::HtConfig(ModulationClass newest, const McsConfig& the_mcs, std::uint32
                    std::uint32_t max_ampdu)
     : modulation(newest), mcs(the_mcs) {
   contention.slot = 9us;
+  contention.rts_threshold = 4'692'480;  // as in ns-3.37: never
   qos = true;
   aggregation.max_ampdu = max_ampdu;
   set_channel(*this, channel);
