@@ -28,6 +28,7 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
       index_(index),
       agent_(agent),
       known_(air.known),
+      knows_all_(air.known == Capabilities{}),
       loss_(air.loss),
       errors_(errors),
       cca_threshold_(to_milliwatts(air.config.cca_threshold).value),
@@ -131,7 +132,9 @@ std::optional<hal::Verdict> Radio::refuse(const Signal& signal) const {
 }
 
 /// Whether this radio cannot interpret a frame.
-bool Radio::is_foreign(const Frame& frame) const { return !known_.supports(frame.mode->id()); }
+bool Radio::is_foreign(const Frame& frame) const {
+  return !knows_all_ && !known_.supports(frame.mode->id());
+}
 
 bool Radio::synchronise(Signal& signal) {
   if (held_) {
