@@ -33,6 +33,8 @@ class Cell {
     return !all_support(ModulationClass::kOfdm) &&
            (of_some_ & Capabilities::bit(ModulationClass::kOfdm)) != 0;
   }
+  /// Whether all stations have equal capabilities.
+  bool is_uniform() const { return others_.empty(); }
   /// Of an address without a station: those of the station that was added first.
   Capabilities capabilities(hal::AgentId station) const {
     const auto found = std::ranges::lower_bound(others_, station, {}, &Other::first);

@@ -234,7 +234,9 @@ struct RadioNetwork::State {
     radios.push_back(std::make_unique<Radio>(
         Radio::Air{surroundings.events, air.band->channel(), surroundings.observer,
                    waves_of(profile.config)->receiver, *profile.rules,
-                   air.cell.capabilities(station.agent), loss ? &*loss : nullptr},
+                   // Among equals no frame is foreign, and the test is unnecessary.
+                   air.cell.is_uniform() ? Capabilities{} : air.cell.capabilities(station.agent),
+                   loss ? &*loss : nullptr},
         index, station.agent, stream(station, "/errors")));
     air.band->channel().add(*radios.back());
     return *radios.back();

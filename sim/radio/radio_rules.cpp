@@ -189,6 +189,7 @@ void ask_station_standard(Rules& rules, const RadioConfig& config, const Station
 
 void ask_station_channel(Rules& rules, const RadioConfig& config, std::uint32_t channel) {
   ask_channel(rules, rates_of(config), channel);
+  if (!rules.is_empty()) return;
   rules.ask(is_5ghz(channel) == is_5ghz(waves_of(config)->phy.channel), "channel",
             "must be in the band of the network");
 }

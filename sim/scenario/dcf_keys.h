@@ -55,8 +55,8 @@ inline void keys_of(Fields& io, radio::RateControlConfig& c) {
       "1", kShare, c.minstrel_sampling);
 }
 
-inline void dcf_keys_but_data_rate(Fields& io, radio::DcfConfig& c) {
-  keys_but_data_rate(io, c);
+inline void dcf_keys(Fields& io, radio::DcfConfig& c, DataKey data) {
+  common_keys_of(io, c, data);
   io.given({"beacon_rate", "Rate of beacons. One of the data rates.", "1 Mb/s",
             "that of `broadcast_rate`"},
            "b/s", kBitRate, c.beacon_rate);
@@ -89,11 +89,6 @@ inline void dcf_keys_but_data_rate(Fields& io, radio::DcfConfig& c) {
                         "500 ms"},
                        1e-6, c.msdu_lifetime);
   keys_of(io, c.rate_control);
-}
-
-inline void keys_of(Fields& io, radio::DcfConfig& c) {
-  data_rate(io, c.phy.data_rate);
-  dcf_keys_but_data_rate(io, c);
 }
 
 inline void qos_key(Fields& io, bool& qos) {

@@ -95,7 +95,7 @@ inline void keys_of(Fields& io, radio::McsConfig& c) {
 }
 
 inline void keys_of(Fields& io, radio::HtConfig& c) {
-  dcf_keys_but_data_rate(io, c);
+  dcf_keys(io, c, DataKey::kMcs);
   ofdm_keys(io, c);
   edca_keys(io, c.edca);
   keys_of(io, c.mcs);
@@ -114,7 +114,7 @@ inline void keys_of(Fields& io, radio::Ieee80211axConfig& c) {
 }
 
 inline void keys_of(Fields& io, radio::Ieee80211bConfig& c) {
-  keys_of(io, static_cast<radio::DcfConfig&>(c));
+  dcf_keys(io, c, DataKey::kRate);
   qos_key(io, c.qos);
   edca_keys(io, c.edca);
   error_model(io, c.receiver.error_model);
@@ -122,7 +122,7 @@ inline void keys_of(Fields& io, radio::Ieee80211bConfig& c) {
 }
 
 inline void keys_of(Fields& io, radio::Ieee80211gConfig& c) {
-  keys_of(io, static_cast<radio::DcfConfig&>(c));
+  dcf_keys(io, c, DataKey::kRate);
   qos_key(io, c.qos);
   edca_keys(io, c.edca);
   ofdm_keys(io, c);

@@ -137,7 +137,10 @@ inline void data_rate(Fields& io, hal::BitsPerSecond& rate) {
               "b/s", kBitRate, rate);
 }
 
-inline void keys_of(Fields& io, radio::PhyConfig& c) {
+/// Whether unicast data have one rate, or a mode with an MCS.
+enum class DataKey : std::uint8_t { kRate, kMcs };
+
+inline void phy_keys(Fields& io, radio::PhyConfig& c, DataKey data) {
   io.count({"channel",
             "Number of the channel in the 2.4 GHz band, 1 to 14; with `ieee80211n` and "
             "`ieee80211ax` also in the 5 GHz band, 36 to 165, with `ieee80211ac` only there. Of a "
@@ -145,6 +148,7 @@ inline void keys_of(Fields& io, radio::PhyConfig& c) {
             "disturb each other; leakage into adjacent channels is not modelled.",
             "6"},
            1, radio::kLastChannel, c.channel);
+  if (data == DataKey::kRate) data_rate(io, c.data_rate);
   io.quantity(
       {"control_rate",
        "Rate of RTS frames; with `mobility_framework` also of CTS and ACK. One of the data rates.",
@@ -216,18 +220,13 @@ inline void range(Fields& io, hal::Metres& range) {
       "m", {1e-3, kUnlimited}, range);
 }
 
-inline void keys_but_data_rate(Fields& io, radio::WavesConfig& c) {
+inline void common_keys_of(Fields& io, radio::WavesConfig& c, DataKey data = DataKey::kRate) {
   tx_power(io, c.tx_power);
   keys_of(io, c.propagation);
   keys_of(io, c.receiver);
-  keys_of(io, c.phy);
+  phy_keys(io, c.phy, data);
   keys_of(io, c.lengths);
   keys_of(io, c.contention);
-}
-
-inline void common_keys_of(Fields& io, radio::WavesConfig& c) {
-  data_rate(io, c.phy.data_rate);
-  keys_but_data_rate(io, c);
 }
 
 inline void keys_of(Fields& io, radio::MobilityFrameworkConfig& c) {

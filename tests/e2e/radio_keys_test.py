@@ -411,6 +411,43 @@ class RadioKeys(Case):
                  for own in ("", "standard: ieee80211b")]
         self.assertGreater(found[1], found[0] + 100)
 
+    # Modes with MCSs.
+
+    def test_modes_with_an_mcs(self):
+        n, ac, ax = ("profile: ieee80211n",), ("profile: ieee80211ac",), ("profile: ieee80211ax",)
+        near = [(0, TO_B, ""), (10, None, "")]
+        options = dict(stations=near)
+        self.falls("mcs", [0, 3, 7], Run.airtime, radio=n, **options)
+        self.falls("mcs", [0, 3, 9], Run.airtime, radio=ac, **options)
+        self.falls("mcs", [0, 3, 11], Run.airtime, radio=ax, **options)
+        self.falls("streams", [1, 2], Run.airtime, radio=(*n, "mcs: 0"), **options)
+        self.falls("width", ["20 MHz", "40 MHz"], Run.airtime, radio=(*n, "mcs: 0"), **options)
+        self.falls("width", ["20 MHz", "40 MHz", "80 MHz"], Run.airtime, radio=(*ax, "mcs: 0"), **options)
+        self.rises("guard_interval", ["400 ns", "800 ns"], Run.airtime, radio=(*n, "mcs: 0"), **options)
+        self.rises("guard_interval", ["800 ns", "1600 ns", "3200 ns"], Run.airtime, radio=(*ax, "mcs: 0"), **options)
+        # VHT-SIG-B.
+        found = self.compare("ppdu_times", ["standard", "ns3"], Run.airtime, radio=ac, **options)
+        self.assertAlmostEqual(found[0] - found[1], 4)
+        # In 5 GHz there is no signal extension of 6 us, and SIFS is 6 us longer.
+        found = self.compare("channel", [1, 36], Run.airtime, radio=n, **options)
+        self.assertAlmostEqual(found[0] - found[1], 6)
+        self.is_each([10, 16], "channel", [1, 36], lambda run: run.gap("unicast", "ack"),
+                     radio=(*n, "propagation_delay: false"), **options)
+        beacons = dict(radio=(*n, "bss: {access_point: a}"), stations=[(0, None, ""), (5, None, "")], time="1 s")
+        self.falls("beacon_rate", ["1 Mb/s", "6 Mb/s"], lambda run: run.airtime("beacon"), **beacons)
+
+    def test_mixed_cells_with_an_mcs(self):
+        radio = ("profile: ieee80211n", "width: 40 MHz", "streams: 2", "mcs: 0")
+
+        def to(own):
+            return self.play(radio, [(0, TO_B, ""), (10, None, own)]).airtime()
+
+        best = to("")
+        for own in ("width: 20 MHz", "streams: 1", "standard: ieee80211g", "standard: ieee80211b"):
+            self.assertGreater(to(own), best, own)
+        self.assertGreater(self.play(radio, [(0, TO_B, ""), (10, None, ""), (5, None, "standard: ieee80211g")])
+                           .frames("cts"), 0)
+
     def test_radios_of_stations(self):
         radio = ("profile: ieee80211b",)
 

@@ -23,6 +23,7 @@ std::vector<std::uint8_t> supported_rates(Standard standard, const DcfConfig& co
   for (const double rate : kAllRates) {
     const hal::BitsPerSecond in_bits{rate * 1e6};
     if (!is_rate(standard, in_bits)) continue;
+    if (is_5ghz(config.phy.channel) && is_dsss_rate(in_bits)) continue;
     const bool basic = std::ranges::find(config.basic_rates, in_bits) != config.basic_rates.end();
     rates.push_back(static_cast<std::uint8_t>(static_cast<int>(rate / kRateUnit) |
                                               (basic ? kBasicRateFlag : 0)));
@@ -32,14 +33,19 @@ std::vector<std::uint8_t> supported_rates(Standard standard, const DcfConfig& co
 
 BssParameters parameters(const Infrastructure::Member& member, const std::string& ssid) {
   const DcfConfig& config = member.config;
-  const bool erp = member.rates == Standard::kIeee80211g;
+  const std::uint32_t channel = config.phy.channel;
+  const bool is_5 = is_5ghz(channel);
+  const bool erp = !is_5 && member.rates >= Standard::kIeee80211g;
+  const Capabilities own = member.context.cell.capabilities(member.context.agent);
   return {.ssid = ssid,
           .rates = supported_rates(member.rates, config),
-          .channel = static_cast<std::uint8_t>(config.phy.channel),
+          .channel = is_5 ? std::nullopt : std::optional(static_cast<std::uint8_t>(channel)),
           .short_preamble = config.phy.preamble == Preamble::kShort,
           .short_slot = config.contention.slot == kShortSlotTime,
           .erp = erp,
-          .use_protection = erp && member.context.cell.is_mixed()};
+          .use_protection = erp && member.context.cell.is_mixed(),
+          .capabilities = own.supports(ModulationClass::kHt) ? std::optional(own) : std::nullopt,
+          .primary_channel = static_cast<std::uint8_t>(channel)};
 }
 
 std::vector<hal::AgentId> agents_of(const std::vector<std::string>& names,

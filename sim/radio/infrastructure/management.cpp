@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/radio/infrastructure/bss_config.h"
+#include "sim/radio/infrastructure/capability_elements.h"
 #include "sim/radio/mac/mac_address.h"
 
 namespace sim::radio {
@@ -55,6 +56,14 @@ void put_extended_rates(hal::Bytes& out, const BssParameters& bss) {
   }
 }
 
+void put_capabilities(hal::Bytes& out, const BssParameters& bss) {
+  if (bss.capabilities) put_capability_elements(out, *bss.capabilities);
+}
+
+void put_operation(hal::Bytes& out, const BssParameters& bss) {
+  if (bss.capabilities) put_operation_elements(out, *bss.capabilities, bss.primary_channel);
+}
+
 /// Reads fields one after the other.
 class BodyReader {
  public:
@@ -93,11 +102,21 @@ class BodyReader {
  private:
   bool has(std::size_t bytes) { return good_ = good_ && rest_.size() >= bytes; }
 
+  /// The first element of HT, VHT or HE says that there are any.
+  static void take_capabilities(std::uint8_t id, Body content, BssParameters& bss) {
+    Capabilities found = bss.capabilities.value_or(
+        Capabilities{.classes = 0, .streams = 1, .width = 20, .short_guard = false});
+    const std::uint8_t before = found.classes;
+    if (!take_capability_element(id, content, found)) return;
+    if (bss.capabilities || found.classes != before) bss.capabilities = found;
+  }
+
   static void take_element(std::uint8_t id, Body content, BssParameters& bss) {
     if (id == kSsidElement) bss.ssid.assign(content.begin(), content.end());
     if (id == kRatesElement || id == kExtendedRatesElement) {
       bss.rates.insert(bss.rates.end(), content.begin(), content.end());
     }
+    take_capabilities(id, content, bss);
     if (id == kDsssParametersElement && !content.empty()) bss.channel = content[0];
     if (id == kErpElement && !content.empty()) {
       bss.erp = true;
@@ -133,6 +152,8 @@ hal::Bytes encode(const Beacon& beacon) {
     put_element(out, kErpElement, Body(&flags, 1));
   }
   put_extended_rates(out, beacon.bss);
+  put_capabilities(out, beacon.bss);
+  put_operation(out, beacon.bss);
   return out;
 }
 
@@ -152,6 +173,7 @@ hal::Bytes encode(const AssociationRequest& request) {
   put_ssid(out, request.bss);
   put_rates(out, request.bss);
   put_extended_rates(out, request.bss);
+  put_capabilities(out, request.bss);
   return out;
 }
 
@@ -162,6 +184,8 @@ hal::Bytes encode(const AssociationResponse& response) {
   put_little_endian(out, kTwoHighestBits | static_cast<std::uint64_t>(response.association_id), 2);
   put_rates(out, response.bss);
   put_extended_rates(out, response.bss);
+  put_capabilities(out, response.bss);
+  put_operation(out, response.bss);
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "hal/types/message.h"
 #include "hal/types/time.h"
 #include "sim/radio/mac/mac_sap.h"
+#include "sim/radio/phy/capabilities.h"
 #include "sim/radio/phy/phy_mode.h"
 
 namespace sim::radio {
@@ -27,6 +28,10 @@ struct BssParameters {
   bool short_slot = false;
   bool erp = false;             ///< Beacons carry the ERP element (9.4.2.12).
   bool use_protection = false;  ///< ERP element: there are NonERP stations.
+  /// Of the sender, if it has MCSs; the width of stations in 80 MHz only in beacons and responses
+  /// (capability_elements.h).
+  std::optional<Capabilities> capabilities{};
+  std::uint8_t primary_channel = 0;  ///< For the operation elements.
   bool operator==(const BssParameters&) const = default;
 };
 

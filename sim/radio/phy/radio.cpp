@@ -28,6 +28,7 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
       index_(index),
       agent_(agent),
       known_(air.known),
+      knows_all_(air.known == Capabilities{}),
       loss_(air.loss),
       errors_(errors),
       cca_threshold_(to_milliwatts(air.config.cca_threshold).value),
@@ -131,7 +132,9 @@ std::optional<hal::Verdict> Radio::refuse(const Signal& signal) const {
 }
 
 /// Whether this radio can interpret not even the preamble of a PPDU.
-bool Radio::is_foreign(const Ppdu& ppdu) const { return !known_.hears(ppdu.mode->id()); }
+bool Radio::is_foreign(const Ppdu& ppdu) const {
+  return !knows_all_ && !known_.hears(ppdu.mode->id());
+}
 
 bool Radio::synchronise(Signal& signal) {
   if (held_) {
@@ -243,7 +246,7 @@ void Radio::end_signal(const Ppdu& ppdu, bool cut) {
 /// Decides the verdict of each MPDU of the held PPDU. @return the error if none was received.
 ReceiveError Radio::judge_held(Verdicts& verdicts) {
   ReceiveError error = ReceiveError::kBitError;
-  if (!known_.supports(held_->ppdu().mode->id())) {
+  if (!knows_all_ && !known_.supports(held_->ppdu().mode->id())) {
     // An older receiver takes the signal field for that of its own class, and the FCS is wrong.
     std::ranges::fill(verdicts, hal::Verdict::kPreambleMissed);
     return error;

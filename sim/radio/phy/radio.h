@@ -180,6 +180,7 @@ class Radio {
   StationIndex index_;
   hal::AgentId agent_;
   Capabilities known_;
+  bool knows_all_;
   const RandomLoss* loss_;
   hal::RandomStream errors_;
   RadioListener* listener_ = nullptr;

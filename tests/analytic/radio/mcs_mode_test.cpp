@@ -126,7 +126,7 @@ TEST(McsRate, GrowsWithTheStreams) {
 // IEEE Std 802.11-2020, 21.5, up to four streams and 80 MHz: all modes that are left out.
 TEST(VhtModes, ThatTheStandardLeavesOut) {
   std::string missing;
-  for (const std::uint16_t width : {20, 40, 80}) {
+  for (const std::uint16_t width : std::initializer_list<std::uint16_t>{20, 40, 80}) {
     for (std::uint8_t streams = 1; streams <= 4; ++streams) {
       for (std::uint8_t mcs = 0; mcs <= 9; ++mcs) {
         if (exists({ModulationClass::kVht, mcs, streams, width, 800ns})) continue;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -120,6 +121,14 @@ class Tshark : public testing::TestWithParam<Profile> {
     return all;
   }
 
+  /// The numbers of the elements of the first beacon, extended ones after "255:".
+  std::string beacon_elements() const {
+    const std::string found = tests::output_of(
+        "tshark -r '" + file_.string() + "' -c 200 -Y wlan.fc.type_subtype==8 -T fields " +
+        "-e wlan.tag.number -e wlan.ext_tag.number 2>/dev/null");
+    return found.substr(0, found.find('\n'));
+  }
+
   const fs::path file_ = fs::path(testing::TempDir()) / fmt::format("bss_{}.pcap", ::getpid());
 };
 
@@ -150,13 +159,25 @@ TEST_P(Tshark, ReadsEveryFrameOfTwoAccessPointsAsItIsMeant) {
     ASSERT_EQ(lines[i], expected(frame)) << "frame " << i + 1;
     seen.insert(frame.type);
   }
-  EXPECT_EQ(seen.size(), 11U) << "all of stations without QoS but disassociation";
+  // All but disassociation; stations with QoS ask for Block Ack, too.
+  EXPECT_EQ(seen.size(), dcf_of(air.config)->qos ? 12U : 11U);
+  const std::map<Profile, std::string> elements{
+      {Profile::kIeee80211b, "0,1,3,5\t"},
+      {Profile::kIeee80211g, "0,1,3,5,42,50\t"},
+      {Profile::kIeee80211n, "0,1,3,5,42,50,45,61\t"},
+      {Profile::kIeee80211ac, "0,1,5,45,191,61,192\t"},
+      {Profile::kIeee80211ax, "0,1,5,45,191,255,61,192,255\t35,36"}};
+  EXPECT_EQ(beacon_elements(), elements.at(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Tshark,
-                         testing::Values(Profile::kIeee80211b, Profile::kIeee80211g),
+                         testing::Values(Profile::kIeee80211b, Profile::kIeee80211g,
+                                         Profile::kIeee80211n, Profile::kIeee80211ac,
+                                         Profile::kIeee80211ax),
                          [](const auto& c) {
-                           return c.param == Profile::kIeee80211b ? "Ieee80211b" : "Ieee80211g";
+                           std::string name(profile_name(profile_defaults(c.param)));
+                           name.front() = 'I';
+                           return name;
                          });
 
 }  // namespace
