@@ -8,6 +8,7 @@
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/events_section.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/ip_routes.h"
 #include "sim/scenario/loss_section.h"
 #include "sim/scenario/network_section.h"
 #include "sim/scenario/outcome_section.h"
@@ -32,6 +33,7 @@ void check_sections(Mapping& in, Scenario& scenario) {
   check_logs(in, scenario);
   check_loss_names(in.within("radio"), scenario);
   find_static_routes(in, scenario);
+  find_ip_routes(in, scenario);
 }
 
 }  // namespace
