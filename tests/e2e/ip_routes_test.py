@@ -118,12 +118,17 @@ class Routes(Case):
         self.play(agents)
         self.assert_all_answered("a")
 
-    def test_no_redirect_is_on_the_air(self):
-        self.play(line(3, '[{path: ["s*"]}]', pings=[("s0", PING + " -4 s2"), ("s0", PING + " -6 s2")]))
+    def test_routers_send_no_redirects(self):
+        """By the counters of the kernel: it would send the first six at once, and more later."""
+        counters = "sleep 3; grep OutRedirects /proc/net/snmp6; grep ^Icmp: /proc/net/snmp"
+        self.play(line(3, '[{path: ["s*"]}]', pings=[
+            ("s0", PING + " -4 s2"), ("s0", PING + " -6 s2"), ("s1", counters)]))
         self.assert_all_answered("s0", "p0")
         self.assert_all_answered("s0", "p1")
-        said = self.capture("icmp.type == 5 || icmpv6.type == 137")
-        self.assertEqual(said, "")
+        ipv6, names, values = self.log("s1", "p2").splitlines()
+        self.assertEqual(ipv6.split(), ["Icmp6OutRedirects", "0"])
+        self.assertEqual(dict(zip(names.split(), values.split()))["OutRedirects"], "0")
+        self.assertEqual(self.capture("icmp.type == 5 || icmpv6.type == 137"), "")
         self.assertNotEqual(self.capture("icmp.type == 0"), "")
         self.assertNotEqual(self.capture("icmpv6.type == 129"), "")
 
