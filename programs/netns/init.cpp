@@ -22,20 +22,11 @@
 #include "programs/netns/launch.h"
 #include "programs/netns/message.h"
 #include "programs/netns/packed.h"
+#include "programs/netns/packed_agent.h"
 #include "programs/netns/spaces.h"
 
 namespace programs::netns {
 namespace {
-
-AgentNetwork unpack_agent(Unpacker& in) {
-  AgentNetwork agent;
-  agent.agent = in.text();
-  agent.id = in.number<std::uint16_t>();
-  agent.address = in.number<std::uint32_t>();
-  agent.prefix = in.number<int>();
-  agent.mtu = in.number<int>();
-  return agent;
-}
 
 /// The number that a child has in the agent that it is in; 0: it is not known.
 pid_t number_inside(pid_t child) {
@@ -69,7 +60,7 @@ class Init {
     RunOfAgents run;
     run.time.is_held = in.number<int>() != 0;
     run.time.factor = std::bit_cast<double>(in.number());
-    for (auto left = in.number(); left > 0; --left) run.agents.push_back(unpack_agent(in));
+    for (auto left = in.number(); left > 0; --left) run.agents.push_back(unpacked_agent(in));
     run.shown = in.texts();
     for (AgentMade& made : make_agents(run)) {
       Packer out;

@@ -17,6 +17,7 @@
 #include "programs/netns/mapped_page.h"
 #include "programs/netns/message.h"
 #include "programs/netns/packed.h"
+#include "programs/netns/packed_agent.h"
 #include "programs/netns/run_state.h"
 #include "programs/netns/tcp_timers.h"
 
@@ -39,13 +40,7 @@ std::string packed(const Settings& settings, const std::vector<std::filesystem::
   out.put(settings.time.is_held);
   out.put(std::bit_cast<std::uint64_t>(settings.time.factor));
   out.put(settings.agents.size());
-  for (const AgentNetwork& agent : settings.agents) {
-    out.put(std::string_view(agent.agent));
-    out.put(agent.id);
-    out.put(agent.address);
-    out.put(agent.prefix);
-    out.put(agent.mtu);
-  }
+  for (const AgentNetwork& agent : settings.agents) pack(out, agent);
   out.put(texts_of(shown));
   return out.bytes();
 }

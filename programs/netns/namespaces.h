@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -20,6 +21,15 @@ namespace programs::netns {
 /// The file in the results folder by which `baraka exec` finds a run. It exists as long as the run.
 inline constexpr const char* kStateFile = "namespaces.txt";
 
+/// A route of an agent's kernel.
+struct KernelRoute {
+  bool is_ipv6 = false;
+  int prefix = 0;  ///< Length of the network part of `destination` [bit].
+  std::array<std::uint8_t, 16> destination{};  ///< Network byte order; IPv4: the first four.
+  std::uint16_t via = 0;      ///< IPv6: AgentNetwork::id of the next hop; 0: directly.
+  std::uint32_t gateway = 0;  ///< IPv4: address of the next hop, host byte order; 0: directly.
+};
+
 /// An agent's interface `wlan0`: an Ethernet card to programs, with MAC address 02:00:00:00:hh:ll.
 struct AgentNetwork {
   std::string agent;          ///< Name; also the host name inside, and in every /etc/hosts.
@@ -27,6 +37,8 @@ struct AgentNetwork {
   std::uint32_t address = 0;  ///< IPv4, host byte order; unique in the run.
   int prefix = 16;            ///< Length of the network part of the address [bit], 8 .. 30.
   int mtu = 1500;  ///< Maximum IP packet [byte], 576 .. 2296; below 1280 there is no IPv6.
+  std::vector<KernelRoute> routes{};  ///< Besides that of its own network, each destination once.
+  bool forwards = false;              ///< It is a router: it forwards packets of others.
 };
 
 struct Settings {

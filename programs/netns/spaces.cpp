@@ -21,6 +21,7 @@
 #include "programs/netns/kernel_timers.h"
 #include "programs/netns/neighbours.h"
 #include "programs/netns/pipe.h"
+#include "programs/netns/routes.h"
 #include "programs/netns/user_ids.h"
 
 namespace programs::netns {
@@ -88,6 +89,7 @@ AgentEnds make_ends(const AgentNetwork& network, const AgentSpaces& spaces,
   AgentEnds ends;
   ends.tap = make_interfaces(network);
   keep_places(network, run.agents);
+  set_routes(network);
   if (run.time.is_held) {
     hold_kernel_timers();
     unbound_icmp_errors();

@@ -14,6 +14,7 @@ hal::node::routing::RoutingConfig routing_of(const AgentConfig& agent,
                                              const SimulationConfig& config) {
   hal::node::routing::RoutingConfig routing = config.routing;
   routing.algorithm = agent.routing.value_or(routing.algorithm);
+  routing.statics = {.rows = {}, .routes = agent.static_routes};
   return routing;
 }
 

@@ -63,6 +63,8 @@ struct AgentConfig {
   radio::StationConfig radio{};  ///< Settings that differ from SimulationConfig::radio.
   /// nullopt: as in SimulationConfig::routing.
   std::optional<hal::node::routing::Algorithm> routing{};
+  /// With Algorithm::kStatic: its routes.
+  std::vector<hal::node::routing::StaticRoute> static_routes{};
   /// nullopt: programs cannot use its radio through sockets.
   std::optional<air::NetworkConfig> network{};
   bool inside = false;     ///< Its controller runs in the agent's own network namespace.

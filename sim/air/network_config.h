@@ -1,7 +1,12 @@
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
+#include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 
 namespace sim::air {
@@ -18,6 +23,23 @@ enum class UnknownWaits : std::uint8_t {
   kAllow,  ///< Nothing: simulated time goes on without it until the call ends.
 };
 
+/// A network of IP: the addresses that begin with the first `prefix` bits of `address`.
+struct IpNetwork {
+  bool is_ipv6 = false;
+  int prefix = 0;  ///< 0..32 for IPv4, 0..128 for IPv6.
+  std::array<std::uint8_t, 16>
+      address{};  ///< Network byte order; IPv4: the first four. Later bits 0.
+  auto operator<=>(const IpNetwork&) const = default;
+};
+
+/// A route of the kernel in an agent's namespace, besides the one to its own network.
+struct IpRoute {
+  hal::AgentId to{};  ///< Its IPv4 and IPv6 addresses; 0: to `network`.
+  IpNetwork network{};
+  hal::AgentId via{};  ///< The next hop, not the agent itself; `to`: directly.
+  bool operator==(const IpRoute&) const = default;
+};
+
 /// The interface `wlan0` of an agent, through which programs with sockets use its simulated radio.
 struct NetworkConfig {
   std::uint32_t address = 0;  ///< IPv4, host order.
@@ -26,6 +48,8 @@ struct NetworkConfig {
   UnknownWaits unknown_waits = UnknownWaits::kFail;
   /// In lock-step: how long a turn of a thread occupies the agent's processor, from 0 to 1 s.
   hal::Duration per_wake{0};
+  std::vector<IpRoute> routes{};  ///< Each destination at most once.
+  bool forwards = false;          ///< Packets of other agents, which have a route via this one.
   bool operator==(const NetworkConfig&) const = default;
 };
 

@@ -196,7 +196,7 @@ void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const 
                        "Network interface `wlan0` for programs with sockets: their packets go "
                        "through the agents' simulated radios. Such a run is in lock-step, unless "
                        "`--pace` says otherwise."},
-                      is_networked, [&](Fields& network) { network_keys(network, agents); });
+                      is_networked, [&](Fields& network) { network_keys(network, group, agents); });
   io.only(has_network, {"network", {"there"}}, "needs `network`, the interface that programs use",
           [&](Fields& networked) { programs_keys(networked, group); });
   const Key key{

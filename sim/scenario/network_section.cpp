@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "sim/scenario/fields.h"
+#include "sim/scenario/ip_routes.h"
 #include "sim/scenario/program.h"
 
 namespace sim::scenario {
@@ -134,7 +135,8 @@ void check_names(Fields& io, std::span<const AgentConfig> agents) {
 /// The addresses and networks so far.
 class NetworkCheck {
  public:
-  /// @param in  the mapping of the agent's network. @return false if a mistake was noted.
+  /// @param in  the mapping of the agent's network, which may have routes.
+  /// @return false if a mistake was noted.
   bool add(const AgentConfig& agent, Mapping& in) {
     const NetworkConfig& network = *agent.network;
     const auto [other, is_new] = taken_.try_emplace(network.address, &agent);
@@ -145,7 +147,7 @@ class NetworkCheck {
     }
     if (first_ == nullptr) first_ = &agent;
     const NetworkConfig& first = *first_->network;
-    if (reaches(network, first) && reaches(first, network)) return true;
+    if (in.has("routes") || (reaches(network, first) && reaches(first, network))) return true;
     in.warn("address", fmt::format("{} of {} and {} of {} are of different networks: without "
                                    "routes they cannot reach each other",
                                    text_of(network), agent.name, text_of(first), first_->name));
@@ -159,7 +161,7 @@ class NetworkCheck {
 
 }  // namespace
 
-void network_keys(Fields& io, std::span<AgentConfig> agents) {
+void network_keys(Fields& io, Group& group, std::span<AgentConfig> agents) {
   const std::uint32_t id = agents.empty() ? 1u : agents.front().id.value;
   NetworkConfig first{.address = kDefaultNetwork | id};
   if (!agents.empty()) first = agents.front().network.value_or(first);
@@ -167,6 +169,7 @@ void network_keys(Fields& io, std::span<AgentConfig> agents) {
   unknown_waits_key(io, first);
   io.inside({"cpu", "What the agent's programs take of its processor in lock-step."},
             [&](Fields& processor) { processor_keys(processor, first); });
+  ip_routes_key(io, group.ip_routes);
   if (io.reading() == nullptr) return;
   check_names(io, agents);
   NetworkConfig last = first;

@@ -8,7 +8,7 @@
 namespace sim::scenario {
 
 /// `network:` of a group: the interfaces of its agents.
-void network_keys(Fields& io, std::span<agents::AgentConfig> agents);
+void network_keys(Fields& io, Group& group, std::span<agents::AgentConfig> agents);
 
 /// Notes addresses that two agents share, and addresses with which agents cannot reach each other.
 void check_networks(Mapping& in, const Scenario& scenario);

@@ -8,6 +8,7 @@
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/events_section.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/ip_routes.h"
 #include "sim/scenario/loss_section.h"
 #include "sim/scenario/network_section.h"
 #include "sim/scenario/outcome_section.h"
@@ -16,6 +17,7 @@
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/report_section.h"
 #include "sim/scenario/run_section.h"
+#include "sim/scenario/static_routes_check.h"
 #include "sim/scenario/waves_checks.h"
 #include "sim/scenario/world_section.h"
 
@@ -24,12 +26,14 @@ namespace sim::scenario {
 namespace {
 
 /// Checks that involve several sections.
-void check_sections(Mapping& in, const Scenario& scenario) {
+void check_sections(Mapping& in, Scenario& scenario) {
   check_access_points(in, scenario);
   check_waves(in, scenario);
   check_networks(in, scenario);
   check_logs(in, scenario);
   check_loss_names(in.within("radio"), scenario);
+  find_static_routes(in, scenario);
+  find_ip_routes(in, scenario);
 }
 
 }  // namespace

@@ -36,6 +36,8 @@ struct Group {
   int processes = 1;                ///< Controller processes that share the agents.
   std::vector<Program> programs{};  ///< Programs inside each agent.
   bool inside = false;              ///< Each controller runs inside its agent's network namespace.
+  /// `routes` of its network, as in the file.
+  std::vector<hal::node::routing::StaticRow> ip_routes{};
 };
 
 /// The run must end with this result.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "baraka/run/network/kernel_routes.h"
 #include "baraka/run/network/neighbour_tables.h"
 #include "baraka/run/network/priority.h"
 #include "baraka/run/pace/interrupts.h"
@@ -53,7 +54,9 @@ programs::netns::Settings settings_of(const sim::scenario::Scenario& scenario,
                                .id = agent.id.value,
                                .address = agent.network->address,
                                .prefix = agent.network->prefix,
-                               .mtu = agent.network->mtu});
+                               .mtu = agent.network->mtu,
+                               .routes = kernel_routes(agent, scenario.simulation.agents),
+                               .forwards = agent.network->forwards});
   }
   return settings;
 }

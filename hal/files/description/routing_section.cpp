@@ -21,7 +21,9 @@ const std::array kNoRouting{option_of(Algorithm::kNone)};
 const Key kAlgorithm{
     "algorithm",
     "Routing protocol: `ants`, the ant routing of the paper; `anthocnet`, the complete AntHocNet; "
-    "`aodv` (RFC 3561); or `flooding` of every message. Each has keys of its own.",
+    "`aodv` (RFC 3561); `static`, next hops given by `routes`; or `flooding` of every message. "
+    "Each "
+    "has keys of its own.",
     "aodv"};
 /// How the router determines whether a hop works.
 void ack_keys(Fields& io, RoutingConfig& c) {
@@ -141,6 +143,11 @@ void all_aodv_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   hop_keys(io, c, link);
 }
 
+void all_static_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  keys_of(io, c.statics);
+  common_keys(io, c, link);
+}
+
 /// What AntHocNet has in place of the defaults of RoutingConfig: a jitter that is small against the
 /// time a repair is waited for, and the retry of its authors' port.
 void anthocnet_defaults(RoutingConfig& c) {
@@ -163,6 +170,7 @@ const std::array kProtocols{
     Protocol{Algorithm::kAntHocNet, anthocnet_defaults, all_anthocnet_keys},
     Protocol{Algorithm::kAodv, aodv_defaults, all_aodv_keys},
     Protocol{Algorithm::kFlooding, [](RoutingConfig&) {}, common_keys},
+    Protocol{Algorithm::kStatic, [](RoutingConfig&) {}, all_static_keys},
 };
 
 const Protocol* find(Algorithm algorithm) {

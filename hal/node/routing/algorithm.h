@@ -68,6 +68,7 @@ class Algorithm {
   static const Algorithm kFlooding;   ///< Floods every message (flood_routing.h).
   static const Algorithm kAodv;       ///< RFC 3561 (aodv_routing.h).
   static const Algorithm kAntHocNet;  ///< AntHocNet in full (anthocnet.h).
+  static const Algorithm kStatic;     ///< Routes that never change (static_routing.h).
 
   const ProtocolKind& kind() const { return *kind_; }
   std::string_view name() const { return kind_->name; }
@@ -79,12 +80,13 @@ class Algorithm {
 };
 
 extern const ProtocolKind kAntRoutingKind, kOneHopKind, kFloodRoutingKind, kAodvKind,
-    kAntHocNetKind;
+    kAntHocNetKind, kStaticRoutingKind;
 
 inline constexpr Algorithm Algorithm::kAnts{kAntRoutingKind};
 inline constexpr Algorithm Algorithm::kNone{kOneHopKind};
 inline constexpr Algorithm Algorithm::kFlooding{kFloodRoutingKind};
 inline constexpr Algorithm Algorithm::kAodv{kAodvKind};
 inline constexpr Algorithm Algorithm::kAntHocNet{kAntHocNetKind};
+inline constexpr Algorithm Algorithm::kStatic{kStaticRoutingKind};
 
 }  // namespace hal::node::routing

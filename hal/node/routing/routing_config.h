@@ -9,6 +9,7 @@
 #include "hal/node/routing/algorithm.h"
 #include "hal/node/routing/anthocnet_config.h"
 #include "hal/node/routing/aodv_config.h"
+#include "hal/node/routing/static_config.h"
 #include "hal/types/path_metric.h"
 #include "hal/types/time.h"
 
@@ -54,6 +55,7 @@ struct RoutingConfig {
 
   AodvConfig aodv{};
   AntHocNetConfig anthocnet{};
+  StaticConfig statics{};
 
   // Used only over a link without transmit status (hop_acknowledgement.h, hello.h).
   /// Time until a frame is repeated, doubled each time; > 0.

@@ -9,6 +9,7 @@
 #include "hal/files/description/names.h"
 #include "hal/files/description/robot_checks.h"
 #include "hal/files/description/routing_section.h"
+#include "hal/files/description/static_routes.h"
 #include "hal/node/devices/channels.h"
 #include "hal/robot/agent/robot_file_sections.h"
 
@@ -98,6 +99,17 @@ void times_keys(Fields& io, RobotFile& file) {
   }
 }
 
+/// Finds the agent's own among the routes, which name the agent itself and those of the map.
+void find_static_routes(Fields& io, RobotFile& file) {
+  if (io.reading() == nullptr || file.routing.algorithm != node::routing::Algorithm::kStatic)
+    return;
+  std::vector<files::description::NamedAgent> names{{file.name, file.address}};
+  for (const Landmark& one : file.localisation.map) names.push_back({one.name, one.agent});
+  auto routes = files::description::static_routes(io.reading()->within("routing"),
+                                                  file.routing.statics.rows, names);
+  if (!routes.empty()) file.routing.statics.routes = std::move(routes.front());
+}
+
 /// A robot has a body and devices, a mote has neither.
 void body_keys(Fields& io, RobotFile& file) {
   const bool is_robot = file.kind == AgentKind::kRobot;
@@ -133,6 +145,7 @@ void keys_of(Fields& io, RobotFile& file) {
   files::description::routing_key(io, file.routing, node::routing::LinkCapabilities{});
   io.inside({"localisation", "How the agent knows its own pose and the positions of other agents."},
             [&](Fields& own) { localisation_keys(own, file.localisation, file); });
+  find_static_routes(io, file);
   body_keys(io, file);
 }
 

@@ -92,7 +92,8 @@ class Log final : public RadioObserver {
   std::string story() const {
     static const char* const kNames[] = {"DATA",   "RTS",      "CTS",     "ACK",
                                          "BEACON", "AUTH",     "DEAUTH",  "ASSOC?",
-                                         "ASSOC",  "REASSOC?", "REASSOC", "DISASSOC"};
+                                         "ASSOC",  "REASSOC?", "REASSOC", "DISASSOC",
+                                         "BAR",    "BA",       "ACTION"};
     std::string text;
     for (const Start& start : starts) {
       if (!text.empty()) text += ' ';

@@ -49,6 +49,28 @@ class RobotFileTest : public files::config::Files {
   }
 };
 
+TEST_F(RobotFileTest, TakesItsOwnAmongTheStaticRoutes) {
+  const auto file = write("robot.yaml", R"(
+version: 1
+agent: {name: m1, address: 2, kind: mote}
+radio: {interface: eth0}
+localisation:
+  driver: none
+  map: [{name: m0, address: 1, x: 0 m, y: 0 m}, {name: m2, address: 3, x: 9 m, y: 0 m}]
+routing: {algorithm: static, routes: [{path: [m0, m1, m2]}, {at: m0, to: m2}]}
+)");
+  const std::vector<node::routing::StaticRoute> expected{{AgentId{1}, AgentId{1}, 1},
+                                                         {AgentId{3}, AgentId{3}, 1}};
+  EXPECT_EQ(RobotFile::load(file).routing.statics.routes, expected);
+}
+
+TEST_F(RobotFileTest, KnowsTheNamesOfStaticRoutesFromItsMap) {
+  EXPECT_EQ(mistakes("version: 1\nagent: {name: m1, address: 2, kind: mote}\n"
+                     "radio: {interface: eth0}\nlocalisation: {driver: none}\n"
+                     "routing: {algorithm: static, routes: [{to: m2}]}\n"),
+            (Lines{"5:44: routing.routes.to: unknown agent 'm2'"}));
+}
+
 TEST(HardwareExamples, OfARobotinoSayWhatTheirCommentsSay) {
   const RobotFile file = RobotFile::load(kHardware / "robotino.yaml");
   EXPECT_EQ(file.name, "r0");
