@@ -24,6 +24,7 @@ std::string story_of(const RadioConfig& config, const StationConfig& second,
                      const StationConfig& third) {
   Air air(config);
   waves_of(air.config)->propagation.propagation_delay = false;
+  dcf_of(air.config)->aggregation.max_ampdu = 0;  // without asking for Block Ack first
   air.add_line(3, 5);
   air.station_config(2) = second;
   air.station_config(3) = third;
