@@ -62,6 +62,8 @@ Database::Database(const std::filesystem::path& file, Mode mode, WhileBusy while
 
 void Database::open(int how) {
   constexpr int kReadOnly = SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX;
+  // Without counting all memory, for which each allocation would lock a mutex.
+  [[maybe_unused]] static const int kUncounted = sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0);
   int result = sqlite3_open_v2(name_.c_str(), &handle_, how | SQLITE_OPEN_NOMUTEX, nullptr);
   if (result == SQLITE_CANTOPEN && (how & SQLITE_OPEN_CREATE) == 0) {
     sqlite3_close(handle_);
@@ -179,7 +181,8 @@ void Statement::bind(int place, double value) {
 
 void Statement::bind(int place, std::string_view value) {
   const int size = static_cast<int>(value.size());
-  if (sqlite3_bind_text(handle_, place, value.data(), size, SQLITE_TRANSIENT) != SQLITE_OK) {
+  const auto how = copies_ ? SQLITE_TRANSIENT : SQLITE_STATIC;
+  if (sqlite3_bind_text(handle_, place, value.data(), size, how) != SQLITE_OK) {
     database_.fail("bind");
   }
 }

@@ -81,9 +81,11 @@ class Statement {
   /// Binds the values to the question marks and runs the statement to its end.
   template <class... Values>
   void run(const Values&... values) {
+    copies_ = false;  // the values outlive the run
     bind_all(values...);
     while (next()) {
     }
+    copies_ = true;
   }
 
   template <class... Values>
@@ -126,6 +128,7 @@ class Statement {
 
   Database& database_;
   sqlite3_stmt* handle_ = nullptr;
+  bool copies_ = true;                    ///< Whether texts are copied when they are bound.
   std::unique_ptr<ColumnsRead> reading_;  ///< Null: cells are not checked.
 };
 

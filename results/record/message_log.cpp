@@ -1,5 +1,7 @@
 #include "results/record/message_log.h"
 
+#include <utility>
+
 namespace results::record {
 
 MessageLog::MessageLog(Database& database, const Protocols& protocols, Commits& commits)
@@ -7,9 +9,10 @@ MessageLog::MessageLog(Database& database, const Protocols& protocols, Commits& 
       insert_(database,
               "REPLACE INTO messages (sender, id, destination, topic, bytes, sent_ns)"
               " VALUES (?, ?, ?, ?, ?, ?)"),
-      insert_delivery_(database,
-                       "REPLACE INTO deliveries SELECT sender, id, ?3, ?4, ?4 - sent_ns, ?5"
-                       " FROM messages WHERE sender = ?1 AND id = ?2"),
+      insert_delivery_(database, "REPLACE INTO deliveries VALUES (?, ?, ?, ?, ?, ?)"),
+      find_delivery_(database,
+                     "REPLACE INTO deliveries SELECT sender, id, ?3, ?4, ?4 - sent_ns, ?5"
+                     " FROM messages WHERE sender = ?1 AND id = ?2"),
       set_fate_(database, "UPDATE messages SET fate = ?, fate_ns = ? WHERE sender = ? AND id = ?"),
       set_delivered_(database,
                      "UPDATE messages SET verdict = 'delivered' WHERE sender = ? AND id = ?"),
@@ -21,14 +24,31 @@ MessageLog::MessageLog(Database& database, const Protocols& protocols, Commits& 
 void MessageLog::on_message_sent(hal::Time at, const hal::Message& message) {
   insert_.run(message.source.value, std::int64_t{message.id}, message.destination.value,
               message.topic, std::uint64_t{message.payload.size()}, hal::to_ns(at));
+  const std::size_t sender = message.source.value;
+  if (sender >= latest_.size()) latest_.resize(sender + 1);
+  latest_[sender].resize(kLatest);
+  latest_[sender][message.id % kLatest] = {.id = message.id, .sent = at};
   commits_.on_rows(at, 1);
+}
+
+MessageLog::Sent* MessageLog::find(hal::AgentId sender, hal::MessageId id) {
+  if (sender.value >= latest_.size() || latest_[sender.value].empty()) return nullptr;
+  Sent& sent = latest_[sender.value][id % kLatest];
+  return sent.id == id ? &sent : nullptr;
 }
 
 void MessageLog::on_message_delivered(hal::Time at, hal::AgentId receiver,
                                       const hal::Message& message, int transmissions) {
-  insert_delivery_.run(message.source.value, std::int64_t{message.id}, receiver.value,
-                       hal::to_ns(at), transmissions);
-  set_delivered_.run(message.source.value, std::int64_t{message.id});
+  const auto sender = message.source.value;
+  const std::int64_t id = message.id;
+  Sent* const sent = find(message.source, message.id);
+  if (sent != nullptr) {
+    insert_delivery_.run(sender, id, receiver.value, hal::to_ns(at), (at - sent->sent).count(),
+                         transmissions);
+  } else {
+    find_delivery_.run(sender, id, receiver.value, hal::to_ns(at), transmissions);
+  }
+  if (sent == nullptr || !std::exchange(sent->is_delivered, true)) set_delivered_.run(sender, id);
   commits_.on_rows(at, 1);
 }
 
@@ -38,6 +58,8 @@ void MessageLog::on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, h
 
 void MessageLog::on_message_end(hal::Time, hal::AgentId, hal::AgentId sender, hal::MessageId id,
                                 hal::Verdict verdict) {
+  const Sent* const sent = find(sender, id);
+  if (sent != nullptr && sent->is_delivered) return;
   set_verdict_.run(hal::name(verdict), sender.value, std::int64_t{id});
 }
 

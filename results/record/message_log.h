@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "results/record/commits.h"
@@ -23,7 +25,18 @@ class MessageLog final : public MessageWriter {
                       hal::Verdict verdict) override;
 
  private:
-  Statement insert_, insert_delivery_, set_fate_, set_delivered_, set_verdict_;
+  /// One of the last messages of a sender; spares looking for its row.
+  struct Sent {
+    std::optional<hal::MessageId> id;
+    hal::Time sent{};
+    bool is_delivered = false;  ///< Its row says so.
+  };
+  static constexpr std::size_t kLatest = 16;
+  /// Null: an older one, or not listed.
+  Sent* find(hal::AgentId sender, hal::MessageId id);
+
+  std::vector<std::vector<Sent>> latest_;  ///< By sender, then by the remainder of the number.
+  Statement insert_, insert_delivery_, find_delivery_, set_fate_, set_delivered_, set_verdict_;
   Commits& commits_;
 };
 

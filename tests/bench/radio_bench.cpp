@@ -74,6 +74,7 @@ class Antennas final : public radio::Positions {
   hal::Time valid_until(AgentId agent, hal::Time at) const override {
     return max_speed(agent) > 0 ? at : hal::Time::max();
   }
+  bool remembers(AgentId) const override { return true; }
   double max_speed(AgentId agent) const override {
     const hal::Vec3& velocity = antennas_[agent.value - 1u].velocity;
     return velocity.x != 0 || velocity.y != 0 ? 1.001 : 0;

@@ -1,11 +1,17 @@
 #include "sim/radio/channel/channel.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "sim/radio/phy/radio.h"
 
 namespace sim::radio {
+namespace {
+
+constexpr StationIndex kNoStation = std::numeric_limits<StationIndex>::max();
+
+}  // namespace
 
 Channel::Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
                  const WavesConfig& config)
@@ -13,13 +19,15 @@ Channel::Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver
       neighbourhood_(neighbourhood),
       observer_(observer),
       delays_(config.propagation.propagation_delay),
-      preamble_window_(config.receiver.preamble_window) {}
+      preamble_window_(config.receiver.preamble_window),
+      faint_frames_(neighbourhood) {}
 
 Channel::~Channel() = default;
 
 void Channel::add(Radio& radio) {
   radios_.push_back(&radio);
-  faint_.emplace_back(radio.energy_detection());
+  faint_frames_.add_receiver();
+  faint_.emplace_back(faint_frames_, radio.index(), radio.energy_detection());
   current_.emplace_back();
 }
 
@@ -39,7 +47,7 @@ void Channel::transmit(Radio& from, const PpduPtr& ppdu) {
   }
   current_[from.index()] = &transmission;
   transmissions_.add_use(transmission);
-  start_faint(*ppdu, from.index(), links.faint);
+  start_faint(*ppdu, from.index(), links);
   if (delays_) {
     start_one_by_one(transmission);
   } else {
@@ -49,12 +57,39 @@ void Channel::transmit(Radio& from, const PpduPtr& ppdu) {
                                       [this, &transmission] { finish(transmission); });
 }
 
-void Channel::start_faint(const Ppdu& ppdu, StationIndex from,
-                          const std::vector<FaintLink>& links) {
-  if (links.empty()) return;
+void Channel::start_faint(const Ppdu& ppdu, StationIndex from, const Links& links) {
+  const auto& asked = links.asked.all();
+  const std::size_t receivers = links.faint.size() + asked.size();
+  if (receivers == 0) return;
   for (const auto& part : ppdu.parts) {
-    observer_.on_faint(*part.frame, static_cast<std::uint32_t>(links.size()));
+    observer_.on_faint(*part.frame, static_cast<std::uint32_t>(receivers));
   }
+  if (!asked.empty()) faint_frames_.start(from, events_.now(), ppdu.airtime);
+  if (links.faint.empty()) {
+    return faint_frames_.raise(asked, [this](StationIndex to) { start_asked(to); });
+  }
+  if (asked.empty()) return add_faint(ppdu, from, links.faint);
+  // In order of receivers, as if they were one list.
+  auto next = asked.begin();
+  const auto start_before = [&](StationIndex receiver) {
+    const auto last = std::find_if(next, asked.end(),
+                                   [=](const auto& link) { return link.receiver >= receiver; });
+    faint_frames_.raise({next, last}, [this](StationIndex to) { start_asked(to); });
+    next = last;
+  };
+  for (std::size_t i = 0; i < links.faint.size(); ++i) {
+    start_before(links.faint[i].receiver);
+    add_faint(ppdu, from, {links.faint.data() + i, 1});
+  }
+  start_before(kNoStation);
+}
+
+/// A frame begins at a receiver that needs to know.
+void Channel::start_asked(StationIndex receiver) {
+  if (faint_[receiver].start(events_.now())) radios_[receiver]->watch_energy();
+}
+
+void Channel::add_faint(const Ppdu& ppdu, StationIndex from, std::span<const FaintLink> links) {
   const hal::Time now = events_.now();
   for (std::size_t i = 0; i < links.size(); ++i) {
     prefetch_faint(links, i);
@@ -66,7 +101,7 @@ void Channel::start_faint(const Ppdu& ppdu, StationIndex from,
 }
 
 /// Prefetches for the links ahead: first the FaintSignals, later the memory to which they point.
-void Channel::prefetch_faint(const std::vector<FaintLink>& links, std::size_t now) const {
+void Channel::prefetch_faint(std::span<const FaintLink> links, std::size_t now) const {
   constexpr std::size_t kFirst = 24, kSecond = 12;
   if (now + kFirst < links.size()) __builtin_prefetch(&faint_[links[now + kFirst].receiver], 1);
   if (now + kSecond < links.size()) faint_[links[now + kSecond].receiver].prefetch();
@@ -186,7 +221,6 @@ void Channel::finish(Transmission& transmission) {
 }
 
 void Channel::interfere(StationIndex at, hal::Duration delay, hal::Duration length, double power) {
-  constexpr StationIndex kNoStation = std::numeric_limits<StationIndex>::max();
   const bool alarms = faint_[at].add(kNoStation, events_.now(), delay, length, power);
   if (alarms) radios_[at]->watch_energy();
 }
@@ -198,6 +232,7 @@ void Channel::cut(const Radio& from) {
   for (const auto& part : transmission->ppdu->parts) {
     observer_.on_frame_cut(events_.now(), *part.frame);
   }
+  faint_frames_.cut(from.index(), transmission->start, events_.now());
   for (FaintSignals& faint : faint_) {
     faint.cut(from.index(), transmission->start, events_.now());
   }

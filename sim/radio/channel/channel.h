@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sim/core/event_queue.h"
 #include "sim/radio/channel/burst.h"
+#include "sim/radio/channel/faint_frames.h"
 #include "sim/radio/channel/faint_signals.h"
 #include "sim/radio/channel/neighbourhood.h"
 #include "sim/radio/channel/transmission.h"
@@ -46,8 +48,10 @@ class Channel {
  private:
   using Phase = Transmission::Phase;
 
-  void start_faint(const Ppdu& ppdu, StationIndex from, const std::vector<FaintLink>& links);
-  void prefetch_faint(const std::vector<FaintLink>& links, std::size_t now) const;
+  void start_faint(const Ppdu& ppdu, StationIndex from, const Links& links);
+  void start_asked(StationIndex receiver);
+  void add_faint(const Ppdu& ppdu, StationIndex from, std::span<const FaintLink> links);
+  void prefetch_faint(std::span<const FaintLink> links, std::size_t now) const;
   void prefetch(const std::vector<Transmission::Receiver>& receivers, std::size_t now) const;
   void start_everywhere(Transmission& transmission);
   void start_one_by_one(Transmission& transmission);
@@ -66,6 +70,7 @@ class Channel {
   hal::Duration preamble_window_;
   std::vector<Radio*> radios_;
   Transmissions transmissions_;
+  FaintFrames faint_frames_;
   std::vector<FaintSignals> faint_;     ///< One per receiver.
   std::vector<Transmission*> current_;  ///< One per transmitter; null while it is silent.
 };

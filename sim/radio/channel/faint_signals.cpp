@@ -13,41 +13,102 @@ std::uint32_t nanoseconds(hal::Duration duration) {
 
 }  // namespace
 
+FaintSignals::FaintSignals(FaintFrames& frames, StationIndex self, double alarm)
+    : alarm_(alarm), frames_(&frames), self_(self), asks_(frames.answers(self)) {
+  level().alarm = alarm;
+}
+
 bool FaintSignals::add(StationIndex from, hal::Time sent, hal::Duration delay,
                        hal::Duration airtime, double power) {
-  if (signals_.size() == signals_.capacity()) forget(sent);
+  if (signals_.size() == signals_.capacity()) make_room(sent);
+  const std::uint32_t order = asks_ ? frames_->pass() : 0;
   signals_.push_back({.start = sent + delay,
                       .power = power,
                       .airtime = nanoseconds(airtime),
                       .delay = nanoseconds(delay),
-                      .from = from});
+                      .order = order,
+                      .from = static_cast<std::uint16_t>(from),
+                      .is_added = true});
+  if (asks_) {
+    level().bound += power;
+    return may_alarm(sent);
+  }
   bound_ += power;
   if (bound_ < alarm_) return false;
   forget(sent);
   return bound_ >= alarm_;
 }
 
+bool FaintSignals::start(hal::Time now) {
+  if (is_kept()) {
+    if (signals_.size() == signals_.capacity()) make_room(now);
+    frames_->collect_last(self_, signals_);
+  }
+  return may_alarm(now);
+}
+
+bool FaintSignals::may_alarm(hal::Time now) {
+  if (level().bound < alarm_) return false;
+  if (asks_) bring_up_to(now);
+  forget(now);
+  return level().bound >= alarm_;
+}
+
+void FaintSignals::displace(hal::Time now) {
+  if (asks_) bring_up_to(now);
+  for (FaintSignal& signal : signals_) signal.is_added = true;
+  frames_->leave_to(self_);
+}
+
+/// Asks for what is on the air now, unless it is known. @pre asks_
+void FaintSignals::bring_up_to(hal::Time now) {
+  if (is_kept() || level().asked == frames_->next()) return;
+  level().asked = frames_->next();
+  std::erase_if(signals_, [now](const FaintSignal& signal) {
+    return !signal.is_added || signal.end() <= now;
+  });
+  const bool has_added = !signals_.empty();
+  frames_->collect(self_, now, signals_);
+  if (has_added) {
+    std::ranges::sort(signals_, FaintFrames::precedes, &FaintSignal::order);
+  }
+  add_up();
+}
+
+/// Called when there is none.
+void FaintSignals::make_room(hal::Time now) {
+  if (asks_) bring_up_to(now);
+  forget(now);
+}
+
 /// Removes signals that are over. Reserves room for as many again as remain, so that the cost per
 /// signal is small.
 void FaintSignals::forget(hal::Time now) {
   const hal::Time needed = std::min(now, needed_from_);
-  std::erase_if(signals_, [needed](const Signal& signal) { return signal.end() <= needed; });
+  std::erase_if(signals_, [needed](const FaintSignal& signal) { return signal.end() <= needed; });
   if (2 * signals_.size() > signals_.capacity() || signals_.capacity() == 0) {
     signals_.reserve(std::max(kSmallest, 2 * signals_.capacity()));
   }
-  bound_ = 0;
-  for (const Signal& signal : signals_) bound_ += signal.power;
+  add_up();
+}
+
+void FaintSignals::add_up() {
+  double sum = 0;
+  for (const FaintSignal& signal : signals_) sum += signal.power;
+  (asks_ ? level().bound : bound_) = sum;
 }
 
 void FaintSignals::cut(StationIndex from, hal::Time sent, hal::Time cut) {
-  for (Signal& signal : signals_) {
-    const bool is_it = signal.from == from && signal.start == sent + hal::Duration{signal.delay};
+  for (FaintSignal& signal : signals_) {
+    const bool is_it = signal.from == static_cast<std::uint16_t>(from) &&
+                       signal.start == sent + hal::Duration{signal.delay};
     if (is_it) signal.airtime = std::min(signal.airtime, nanoseconds(cut - sent));
   }
 }
 
-void FaintSignals::add_to(Interference& sum, hal::Time at, hal::Time& until) const {
-  for (const Signal& signal : signals_) {
+void FaintSignals::add_to(Interference& sum, hal::Time at, hal::Time& until) {
+  if (asks_) bring_up_to(at);
+  for (const FaintSignal& signal : signals_) {
     const hal::Time end = signal.end();
     if (end <= at) continue;
     if (signal.start > at) {
@@ -60,8 +121,9 @@ void FaintSignals::add_to(Interference& sum, hal::Time at, hal::Time& until) con
   }
 }
 
-void FaintSignals::add_lasting_to(Interference& sum, hal::Time at) const {
-  for (const Signal& signal : signals_) {
+void FaintSignals::add_lasting_to(Interference& sum, hal::Time at) {
+  if (asks_) bring_up_to(at);
+  for (const FaintSignal& signal : signals_) {
     if (signal.start >= at || signal.end() <= at) continue;
     sum.sum += signal.power;
     sum.strongest = std::max(sum.strongest, signal.power);

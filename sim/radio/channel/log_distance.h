@@ -37,6 +37,7 @@ class LogDistance final : public PathLoss {
 
   hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
   double reach(hal::Milliwatts power, hal::Milliwatts least) const override;
+  bool falls_with_distance() const override { return true; }
 
  private:
   double at_reference_;  ///< Share of the power that is left at the reference distance.

@@ -7,43 +7,19 @@
 #include "hal/types/time.h"
 #include "sim/core/cell_grid.h"
 #include "sim/core/event_queue.h"
+#include "sim/radio/channel/links.h"
 #include "sim/radio/channel/ports.h"
 #include "sim/radio/channel/propagation.h"
 #include "sim/radio/channel/station_index.h"
 
 namespace sim::radio {
 
-/// Received power and delay of one station's frames at another, valid while neither of them moves.
-struct AudibleLink {
-  StationIndex receiver = 0;
-  std::uint32_t moves = 0;  ///< Sum of both stations' `moves` when this was computed.
-  Propagation::Arrival arrival;
-  Propagation::Steady steady;  ///< Basis from which `arrival` was last evaluated.
-};
-
-/// A link whose frames are only interference.
-struct FaintLink {
-  double power = 0;  ///< mW
-  StationIndex receiver = 0;
-  std::uint32_t moves = 0;
-  std::uint32_t delay = 0;  ///< ns
-};
-
-/// A pair that is out of range, but close enough to come into range before a cell changes.
-struct DistantLink {
-  StationIndex receiver = 0;
-  std::uint32_t moves = 0;
-  hal::Time out_of_reach_until{};  ///< Whatever the movement of the two.
-};
-
-/// Links from one station to all stations that its frames can affect, each list in order of
-/// receivers.
-struct Links {
-  std::vector<AudibleLink> audible;
-  std::vector<FaintLink> faint;
-  std::vector<DistantLink> distant;
-  std::vector<std::uint32_t> by_arrival;  ///< Indices into `audible`, ordered by (delay, receiver).
-  bool is_fixed = true;                   ///< The transmitter and all stations in range never move.
+/// A frame as it leaves its antenna.
+struct Departure {
+  Site site;
+  hal::Milliwatts radiated{};  ///< Times the gain of the antenna.
+  hal::Time at{};
+  StationIndex station = 0;
 };
 
 /// Links between stations: which stations can sense each other's frames, and with which power.
@@ -82,6 +58,29 @@ class Neighbourhood {
   /// do not change.
   Propagation::Arrival arrival(hal::Milliwatts sent, const Site& from, StationIndex to);
 
+  /// What a station sends now. @pre links_from() has been called for it now.
+  Departure departure(StationIndex station, hal::Time now) const {
+    return {stations_[station].site, stations_[station].radiated, now, station};
+  }
+
+  /// Whether mean_arrival() can tell what arrives at a station; its links then are `asked` in place
+  /// of `faint`. It must stand still or have its positions remembered, and power must depend on
+  /// nothing but the distance.
+  bool is_asking(StationIndex receiver) const { return stations_[receiver].is_asking; }
+
+  /// What arrives of a frame, where the receiver was when it was sent. The means of frames do not
+  /// change. @pre is_asking(receiver), and the receiver has not jumped since
+  Propagation::Arrival mean_arrival(const Departure& frame, StationIndex receiver) const;
+
+  /// At no greater distance, m, in the plane.
+  struct Circle {
+    double x = 0, y = 0;
+    double radius_squared = 0;
+  };
+  /// Contains all antennas of whose present frames a station may notice anything.
+  Circle around(StationIndex receiver) const;
+  hal::Duration longest_delay() const { return longest_delay_; }
+
   /// Frees the memory that links_from() took for a station; use it for stations that may never
   /// transmit.
   void forget(StationIndex transmitter);
@@ -95,6 +94,7 @@ class Neighbourhood {
     hal::Time valid_until{};
     std::uint32_t moves = 1;
     bool is_out_of_date = true;  ///< Its links are: its neighbourhood has changed.
+    bool is_asking = false;
   };
 
   void add(const Antenna& antenna);
@@ -105,7 +105,14 @@ class Neighbourhood {
   /// @return whether any link has changed.
   template <class OneLink>
   bool follow(StationIndex from, std::vector<OneLink>& links, Propagation::Strength strength);
+  void follow_asked(StationIndex from, AskedLinks& links);
+  void follow_distant(StationIndex from, Links& links);
   void follow_time(StationIndex transmitter);
+  struct Certainty {
+    float most;
+    AskedLinks::Tick until;
+  };
+  Certainty certainty(StationIndex from, const AudibleLink& link) const;
   static void sort_by_arrival(Links& links);
   hal::Time out_of_reach_until(StationIndex from, const AudibleLink& link) const;
   void put(StationIndex from, Links& links, const AudibleLink& link);
@@ -119,6 +126,7 @@ class Neighbourhood {
   const Propagation& propagation_;
   double reach_;   ///< Range of the strongest transmitter [m].
   double margin_;  ///< m
+  hal::Duration longest_delay_;
   CellGrid grid_;
   std::vector<Station> stations_;
   std::vector<Links> links_;  ///< One per transmitter.

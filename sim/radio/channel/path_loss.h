@@ -77,6 +77,9 @@ class PathLoss {
   /// By how much it may strengthen, >= 1.
   virtual double most_gain() const { return 1; }
 
+  /// Whether it depends on nothing but the distance, and leaves no more at a greater one.
+  virtual bool falls_with_distance() const { return false; }
+
   /// Whether the same places may give something else at another time.
   virtual bool changes_in_time() const { return false; }
 };

@@ -16,6 +16,8 @@ class Positions {
   virtual hal::Vec3 velocity(hal::AgentId agent, hal::Time at) const = 0;  ///< m/s
   /// The position at `at` holds at least until this time (exclusive); Time::max(): it never moves.
   virtual hal::Time valid_until(hal::AgentId agent, hal::Time at) const = 0;
+  /// Whether position() also answers for times before now, with what it would have answered then.
+  virtual bool remembers(hal::AgentId /*agent*/) const { return false; }
   /// Upper bound of the agent's speed [m/s]; 0: it never moves.
   virtual double max_speed(hal::AgentId agent) const = 0;
 };

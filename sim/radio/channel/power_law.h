@@ -38,6 +38,7 @@ class PowerLaw final : public PathLoss {
 
   hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
   double reach(hal::Milliwatts power, hal::Milliwatts least) const override;
+  bool falls_with_distance() const override { return true; }
 
  private:
   double at_one_metre(double power) const;

@@ -13,7 +13,6 @@
 namespace sim::radio {
 namespace {
 
-constexpr double kSpeedOfLight = 299792458.0;  // m/s
 constexpr hal::Milliwatts kAnyPower{1e-300};
 
 /// What is left of a power, as a share.
@@ -89,6 +88,10 @@ Propagation::Steady Propagation::steady(hal::Milliwatts sent, const Site& from,
   return result;
 }
 
+Propagation::Steady Propagation::steady_at(hal::Milliwatts sent, double distance) const {
+  return steady(sent, Site(hal::Vec3{}), Site(hal::Vec3{distance, 0, 0}));
+}
+
 Propagation::Arrival Propagation::arrival(const Steady& steady, const Site& from, const Site& to,
                                           hal::Time at) const {
   if (steady.strength != Strength::kAudible) return mean_arrival(steady);
@@ -104,7 +107,7 @@ Propagation::Arrival Propagation::arrival(const Steady& steady, const Site& from
   result.blocked = is_blocked(free, result.power);
   result.level = to_dbm(result.power);
   if (result.power < floor_) result.power = {};
-  result.delay = delay(steady);
+  result.delay = delay(steady.distance_squared);
   return result;
 }
 
@@ -112,13 +115,8 @@ Propagation::Arrival Propagation::mean_arrival(const Steady& steady) const {
   Arrival result{.power = steady.walls * steady.free, .strength = steady.strength};
   result.blocked = is_blocked(steady.free, result.power);
   if (result.power < floor_) result.power = {};
-  result.delay = delay(steady);
+  result.delay = delay(steady.distance_squared);
   return result;
-}
-
-hal::Duration Propagation::delay(const Steady& steady) const {
-  if (!delays_) return {};
-  return hal::from_seconds(std::sqrt(steady.distance_squared) / kSpeedOfLight);
 }
 
 }  // namespace sim::radio

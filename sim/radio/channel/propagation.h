@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -52,6 +53,14 @@ class Propagation {
   };
   /// @param sent  by the antenna at `from`.
   Steady steady(hal::Milliwatts sent, const Site& from, const Site& to) const;
+  /// The same at a distance, m. @pre falls_with_distance()
+  Steady steady_at(hal::Milliwatts sent, double distance) const;
+
+  /// Whether a Steady depends on nothing but the distance, and leaves no more at a greater one.
+  bool falls_with_distance() const {
+    return obstacles_ == nullptr && chain_.size() == 1 && chain_.front()->falls_with_distance();
+  }
+
   /// @param at  now.
   Arrival arrival(const Steady& steady, const Site& from, const Site& to, hal::Time at) const;
   Arrival arrival(hal::Milliwatts sent, const Site& from, const Site& to, hal::Time at = {}) const {
@@ -63,6 +72,20 @@ class Propagation {
 
   /// Whether arrivals change although neither end moves.
   bool changes_in_time() const { return moving_obstacles_ != nullptr || !in_time_.empty(); }
+
+  /// mean_arrival() of steady(), computed for many. `level` and `blocked` are not set.
+  /// @pre falls_with_distance()
+  Arrival quick_arrival(hal::Milliwatts sent, const Site& from, const Site& to) const {
+    const Path path(from, to);
+    const hal::Milliwatts power = chain_.front()->after(sent, path);
+    const hal::Milliwatts most = most_in_time_ * power;
+    Arrival result;
+    if (most < floor_) return result;
+    result.strength = most >= audible_ ? Strength::kAudible : Strength::kFaint;
+    if (power >= floor_) result.power = power;
+    result.delay = delay(path.distance_squared);
+    return result;
+  }
 
   /// Nobody further away than this notices a frame that is sent with this power, m. May be
   /// infinite.
@@ -81,7 +104,11 @@ class Propagation {
   void add(hal::Metres range);
   void add(std::unique_ptr<const PathLoss> loss);
   Strength strength(const Steady& steady) const;
-  hal::Duration delay(const Steady& steady) const;
+  hal::Duration delay(double distance_squared) const {
+    constexpr double kSpeedOfLight = 299792458.0;  // m/s
+    if (!delays_) return {};
+    return hal::from_seconds(std::sqrt(distance_squared) / kSpeedOfLight);
+  }
   bool is_blocked(hal::Milliwatts free, hal::Milliwatts left) const {
     return is_receivable(free) && !is_receivable(left);
   }

@@ -195,7 +195,7 @@ void DcfMac::on_action(const Frame& frame) {
   const std::optional<BlockAckAction> action = decode_block_ack_action(*frame.payload);
   if (!action) return;
   const hal::AgentId from = frame.transmitter;
-  std::visit(Overloaded{[&](const AddBlockAckRequest& one) { recipient_.on_request(from, one); },
+  std::visit(Overloaded{[&](const AddBlockAckRequest& one) { recipient_.on_request(frame, one); },
                         [&](const AddBlockAckResponse& one) { originator_.on_response(from, one); },
                         [&](const DeleteBlockAck& one) {
                           if (one.by_originator) return recipient_.on_delete(from, one);
@@ -217,10 +217,13 @@ void DcfMac::on_amsdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   }
 }
 
-void DcfMac::send_action(hal::AgentId to, const BlockAckAction& action) {
-  const MacRequest request{.destination = to,
+void DcfMac::send_action(const Frame& about, const BlockAckAction& action) {
+  const hal::AgentId bssid = about.ds == Ds::kTo     ? about.receiver
+                             : about.ds == Ds::kFrom ? about.transmitter
+                                                     : about.address3;
+  const MacRequest request{.destination = about.transmitter,
                            .payload = std::make_shared<const hal::Bytes>(encode(action)),
-                           .header = {.type = FrameType::kAction}};
+                           .header = {.type = FrameType::kAction, .address3 = bssid}};
   originator_.push_front(request, now());
   ask(originator_.function_of(request));
 }

@@ -54,7 +54,7 @@ class DcfMac final : public MacBase,
   void on_internal_collision(ContentionFunction function) override;
   void on_exchange_end(ExchangeEnd end, const BlockAckFields* answer) override;
   void on_mpdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
-  void send_action(hal::AgentId to, const BlockAckAction& action) override;
+  void send_action(const Frame& about, const BlockAckAction& action) override;
 
   void ask(ContentionFunction function);
   void go_on(ContentionFunction function, bool window_starts_anew);

@@ -109,6 +109,10 @@ bool Originator::request_agreement(MpduStream& stream, Function& function, hal::
       !has_streams(modes_.data().modulation_class())) {
     return false;
   }
+  const MacRequest& head = function.queue.head().request;
+  const hal::AgentId bssid = head.header.ds == Ds::kTo     ? stream.to
+                             : head.header.ds == Ds::kFrom ? agent_
+                                                           : hal::AgentId{};
   stream.agreement = MpduStream::Agreement::kRequested;
   stream.ask_from = now + kAgreementTimeout;
   const AddBlockAckRequest request{.dialog_token = ++dialogs_,
@@ -118,7 +122,7 @@ bool Originator::request_agreement(MpduStream& stream, Function& function, hal::
   function.queue.push_front({.destination = stream.to,
                              .priority = stream.tid,
                              .payload = std::make_shared<const hal::Bytes>(encode(request)),
-                             .header = {.type = FrameType::kAction}},
+                             .header = {.type = FrameType::kAction, .address3 = bssid}},
                             now);
   return true;
 }

@@ -35,8 +35,7 @@ FramePtr Recipient::answer_to(const ReceivedPpdu& received) {
     return frames_.block_ack(first, agreement->state.block_ack(first.priority));
   }
   // The originator believes in an agreement that this station has forgotten.
-  listener_.send_action(first.transmitter,
-                        DeleteBlockAck{false, first.priority, kReasonUnknownBlockAck});
+  listener_.send_action(first, DeleteBlockAck{false, first.priority, kReasonUnknownBlockAck});
   return nullptr;
 }
 
@@ -78,8 +77,7 @@ FramePtr Recipient::answer_to_request(const Frame& request) {
   const BlockAckFields& asked = *request.block_ack;
   const auto found = agreements_.find({request.transmitter, asked.tid});
   if (found == agreements_.end()) {
-    listener_.send_action(request.transmitter,
-                          DeleteBlockAck{false, asked.tid, kReasonUnknownBlockAck});
+    listener_.send_action(request, DeleteBlockAck{false, asked.tid, kReasonUnknownBlockAck});
     return nullptr;
   }
   Agreement& agreement = found->second;
@@ -90,7 +88,8 @@ FramePtr Recipient::answer_to_request(const Frame& request) {
   return answer;
 }
 
-void Recipient::on_request(hal::AgentId from, const AddBlockAckRequest& request) {
+void Recipient::on_request(const Frame& frame, const AddBlockAckRequest& request) {
+  const hal::AgentId from = frame.transmitter;
   const std::uint32_t window = std::min(request.window, config_.aggregation.block_ack_window);
   const bool is_possible = config_.qos && window > 0;
   if (is_possible) {

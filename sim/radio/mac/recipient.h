@@ -23,7 +23,8 @@ class RecipientListener {
   virtual ~RecipientListener() = default;
   virtual void on_mpdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) = 0;
   /// An action frame of the recipient is to be sent.
-  virtual void send_action(hal::AgentId to, const BlockAckAction& action) = 0;
+  /// @param about  a frame of the receiver: the action belongs to the same BSS.
+  virtual void send_action(const Frame& about, const BlockAckAction& action) = 0;
 };
 
 /// The recipient of data and of Block Ack: makes the answers to what a station receives, and
@@ -44,7 +45,8 @@ class Recipient {
   void accept(const ReceivedPpdu& received);
   /// Answers a BlockAckReq; null: there is no agreement.
   FramePtr answer_to_request(const Frame& request);
-  void on_request(hal::AgentId from, const AddBlockAckRequest& request);
+  /// @param frame  that carries the request.
+  void on_request(const Frame& frame, const AddBlockAckRequest& request);
   void on_delete(hal::AgentId from, const DeleteBlockAck& del);
   /// Forgets all agreements: the radio is switched off.
   void reset();

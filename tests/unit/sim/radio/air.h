@@ -20,6 +20,8 @@ class PlacedAntennas final : public Positions {
     hal::Vec3 start;
     hal::Vec3 velocity{};
   };
+  bool is_remembering = false;  ///< Whether positions may be asked for later.
+
   void place(hal::AgentId agent, const Antenna& antenna) { antennas_[agent] = antenna; }
 
   hal::Vec3 position(hal::AgentId agent, hal::Time at) const override {
@@ -32,6 +34,7 @@ class PlacedAntennas final : public Positions {
   hal::Time valid_until(hal::AgentId agent, hal::Time at) const override {
     return max_speed(agent) > 0 ? at : hal::Time::max();
   }
+  bool remembers(hal::AgentId) const override { return is_remembering; }
   double max_speed(hal::AgentId agent) const override {
     const hal::Vec3 v = antennas_.at(agent).velocity;
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/types/random.h"
+#include "tests/unit/sim/radio/air.h"
 
 namespace sim::radio {
 namespace {
@@ -13,6 +14,26 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// One receiver that stands still, so that each frame is added.
+class FaintSignalsTest : public testing::Test {
+ protected:
+  FaintSignalsTest() { frames.add_receiver(); }
+
+  EventQueue events;
+  test::PlacedAntennas antennas = one_antenna();
+  test::Wall free_air;
+  Propagation propagation{MobilityFrameworkConfig{}, free_air};
+  Neighbourhood neighbourhood{events, antennas, propagation, {{hal::AgentId{1}, {}}}};
+  FaintFrames frames{neighbourhood};
+
+ private:
+  static test::PlacedAntennas one_antenna() {
+    test::PlacedAntennas antennas;
+    antennas.place(hal::AgentId{1}, {});
+    return antennas;
+  }
+};
 
 /// The same by looking at everything there ever was.
 struct Everything {
@@ -43,9 +64,9 @@ struct Everything {
   std::vector<Signal> signals;
 };
 
-TEST(FaintSignalsTest, AddUpAsIfEachHadBeenFollowed) {
+TEST_F(FaintSignalsTest, AddUpAsIfEachHadBeenFollowed) {
   hal::RandomStream random(1, "faint");
-  FaintSignals faint(kNever);
+  FaintSignals faint(frames, 0, kNever);
   Everything all;
   hal::Time now{};
   for (int i = 0; i < 3000; ++i) {
@@ -66,8 +87,8 @@ TEST(FaintSignalsTest, AddUpAsIfEachHadBeenFollowed) {
   }
 }
 
-TEST(FaintSignalsTest, KeepWhatIsNeededAndNoMore) {
-  FaintSignals faint(kNever);
+TEST_F(FaintSignalsTest, KeepWhatIsNeededAndNoMore) {
+  FaintSignals faint(frames, 0, kNever);
   faint.add(0, hal::Time{}, 0ns, 1us, 1);
   faint.keep_from(hal::Time{});
   for (int i = 1; i < 1000; ++i) faint.add(1, hal::Time{} + i * 1us, 0ns, 1us, 0);
@@ -80,8 +101,8 @@ TEST(FaintSignalsTest, KeepWhatIsNeededAndNoMore) {
   EXPECT_LE(faint.bound(), 4000) << "of 10,000 that are over one after the other";
 }
 
-TEST(FaintSignalsTest, AFrameThatIsCutEndsEarlier) {
-  FaintSignals faint(kNever);
+TEST_F(FaintSignalsTest, AFrameThatIsCutEndsEarlier) {
+  FaintSignals faint(frames, 0, kNever);
   faint.add(7, hal::Time{}, 100ns, 1ms, 2);
   faint.add(8, hal::Time{}, 100ns, 1ms, 3);
   faint.cut(7, hal::Time{}, hal::Time{500us});
@@ -95,8 +116,8 @@ TEST(FaintSignalsTest, AFrameThatIsCutEndsEarlier) {
   EXPECT_EQ(sum.sum, 3);
 }
 
-TEST(FaintSignalsTest, AlarmsOnlyWhileTheSumMayReachIt) {
-  FaintSignals faint(2.5);
+TEST_F(FaintSignalsTest, AlarmsOnlyWhileTheSumMayReachIt) {
+  FaintSignals faint(frames, 0, 2.5);
   EXPECT_FALSE(faint.add(1, hal::Time{}, 0ns, 10us, 1));
   EXPECT_FALSE(faint.add(2, hal::Time{}, 0ns, 10us, 1));
   EXPECT_TRUE(faint.add(3, hal::Time{}, 0ns, 20us, 1));

@@ -59,12 +59,12 @@ std::string address(hal::AgentId agent) {
 
 /// What tshark prints of a frame if it is right: the fields that read() names.
 std::string expected(const Frame& frame) {
-  constexpr int kSubtypes[] = {0x20, 0x1b, 0x1c, 0x1d, 0x08, 0x0b,
-                               0x0c, 0x00, 0x01, 0x02, 0x03, 0x0a};
+  constexpr int kSubtypes[] = {0x20, 0x1b, 0x1c, 0x1d, 0x08, 0x0b, 0x0c, 0x00,
+                               0x01, 0x02, 0x03, 0x0a, 0x18, 0x19, 0x0d};
   const auto us = std::chrono::ceil<std::chrono::microseconds>(frame.duration).count();
   std::string line =
       fmt::format("0x{:04x} good={} malformed= retry={:d} ds=0x{:02x} duration={} ra={}",
-                  kSubtypes[static_cast<int>(frame.type)], 1, frame.retry,
+                  frame.qos ? 0x28 : kSubtypes[static_cast<int>(frame.type)], 1, frame.retry,
                   static_cast<int>(frame.ds), us, address(frame.receiver));
   if (is_control(frame.type)) return line + " seq= bssid= sa= da= ssid= interval=";
   const hal::AgentId bssid = frame.ds == Ds::kTo     ? frame.receiver
