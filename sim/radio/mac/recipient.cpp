@@ -102,7 +102,7 @@ void Recipient::on_request(const Frame& frame, const AddBlockAckRequest& request
                         Agreement{RecipientAgreement(request.start, window)});
   }
   constexpr std::uint16_t kRefused = 37;  // 9.4.1.9: the request has been declined
-  listener_.send_action(from,
+  listener_.send_action(frame,
                         AddBlockAckResponse{.dialog_token = request.dialog_token,
                                             .status = is_possible ? std::uint16_t{0} : kRefused,
                                             .tid = request.tid,
