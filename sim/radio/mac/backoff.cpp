@@ -28,6 +28,8 @@ void Backoff::request(std::uint32_t contention_window) {
 void Backoff::draw(std::uint32_t contention_window) {
   backing_off_ = true;
   slots_ = random_.below(contention_window + 1);
+  // Slots that were idle before do not count.
+  if (!busy_) idle_since_ = std::max(idle_since_, events_.now() - timing_.aifs);
   schedule();
 }
 
@@ -72,7 +74,8 @@ void Backoff::count_slots(hal::Time until) {
   const std::int64_t passed = counted / timing_.slot + (timing_.counts_first ? 1 : 0);
   if (passed >= slots_ && !wanted_) backing_off_ = false;
   // Counting continues from the slot boundary, so no slot is counted twice.
-  idle_since_ = counting_from() + passed * timing_.slot - timing_.aifs;
+  const hal::Time boundary = counting_from() + passed * timing_.slot;
+  idle_since_ = (passed < slots_ ? boundary : std::min(boundary, until)) - timing_.aifs;
   slots_ -= std::min(slots_, passed);
 }
 

@@ -76,8 +76,9 @@ void ChannelAccess::arbitrate() {
   std::ranges::sort(ready);
   const ContentionFunction highest = ready.back();
   ready.pop_back();
-  for (const ContentionFunction lower : ready) listener_.on_internal_collision(lower);
+  // The medium is busy before the others draw.
   listener_.on_access(highest);
+  for (const ContentionFunction lower : ready) listener_.on_internal_collision(lower);
 }
 
 }  // namespace sim::radio
