@@ -15,6 +15,7 @@ constexpr int kSeeds = 10;
 RadioConfig qos_g54(const PeerRow& row) {
   RadioConfig config = like_the_peer("g54", false);
   DcfConfig& dcf = *dcf_of(config);
+  dcf.propagation.chain = {LogDistanceConfig{}};
   dcf.contention.slot = 9us;
   dcf.basic_rates = {hal::BitsPerSecond{24e6}};
   dcf.qos = true;
@@ -67,12 +68,13 @@ TEST_P(Edca, SharesTheMediumAsThePeerDoes) {
   }
 }
 
-/// Without the row that is no truth: ns-3.37 sends no CF-End, so one saturated station of voice
-/// with a TXOP limit holds the air.
+/// Without the rows that its TXOPs decide: ns-3.37 lets the Duration cover the whole TXOP limit and
+/// ends the TXOP by a CF-End at 1 Mb/s, which takes 352 us for each packet of voice. The standard
+/// permits that (10.23.2.10) and does not ask for it. Ours covers the exchange.
 std::vector<PeerRow> rows() {
   std::vector<PeerRow> rows = read_peer("edca_ns3.csv");
   std::erase_if(rows, [](const PeerRow& row) {
-    return row.at("txop0") == "0" && row.at("vo_rate_hz") == "0";
+    return row.at("txop0") == "0" && (row.at("vo_rate_hz") == "0" || row.at("ac") == "BE");
   });
   return rows;
 }

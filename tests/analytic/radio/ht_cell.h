@@ -15,7 +15,9 @@ inline RadioConfig ht_like_the_peer(const PeerRow& row) {
   RadioConfig config = profile_defaults(Profile::kIeee80211n);
   auto& n = std::get<Ieee80211nConfig>(config);
   n.receiver.energy_detection = hal::Dbm{-82};
+  n.propagation.chain = {LogDistanceConfig{}};
   n.bits_at_risk = BitsAtRisk::kPayloadTime;
+  n.mcs.times = PpduTimes::kNs3;
   n.mcs.mcs = static_cast<std::uint8_t>(std::stoi(row.at("mcs")));
   n.mcs.width = static_cast<std::uint16_t>(std::stoi(row.at("width_mhz")));
   n.mcs.guard = hal::Duration{std::stol(row.at("gi_ns"))};
