@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "sim/air/user_priority.h"
 #include "sim/radio/mac/mac_address.h"
 
 namespace sim::air {
@@ -58,7 +59,7 @@ void Interface::send(Bytes ethernet) {
   radio::MacRequest request{
       .destination = hal::kEveryone,
       .ethertype = ethertype_of(ethernet),
-      .priority = 0,
+      .priority = user_priority(ethertype_of(ethernet), packet),
       .payload = std::make_shared<const hal::Bytes>(packet.begin(), packet.end()),
       .tag = ++last_tag_};
   if (!radio::is_group(ethernet)) {
