@@ -436,6 +436,28 @@ class RadioKeys(Case):
         beacons = dict(radio=(*n, "bss: {access_point: a}"), stations=[(0, None, ""), (5, None, "")], time="1 s")
         self.falls("beacon_rate", ["1 Mb/s", "6 Mb/s"], lambda run: run.airtime("beacon"), **beacons)
 
+    def test_qos(self):
+        g, n = ("profile: ieee80211g",), ("profile: ieee80211n",)
+        found = self.compare("qos", ["false", "true"], Run.bits, radio=g)
+        self.assertEqual(found[1] - found[0], 16)  # the QoS Control field
+        radio = (*g, "qos: true", "propagation_delay: false")
+        best_effort = "edca: {{best_effort: {{cw_min: 0, cw_max: 0, {}}}}}".format
+        gap = dict(what=lambda run: run.gap("ack", "unicast"), radio=radio, stations=SATURATED)
+        slot = 20  # us
+        found = self.compare(best_effort("aifsn: {}"), [2, 10], **gap)
+        self.assertAlmostEqual(found[1] - found[0], 8 * slot)
+        found = self.compare(best_effort("txop_limit: {}"), ["0 s", "10 ms"], **gap)
+        self.assertAlmostEqual(found[1], 10)  # SIFS: no backoff within a TXOP
+        self.assertAlmostEqual(found[0], 10 + 3 * slot)
+        many = [(0, "pattern: saturated, backlog: 100, to: b, size: 500", ""), (10, None, "")]
+        options = dict(radio=n, stations=many)
+        received = self.compare("aggregation: {max_ampdu: {}}", [0, 65535], Run.received, **options)
+        self.assertGreater(received[1], 2 * received[0])
+        received = self.compare("aggregation: {block_ack_window: {}}", [2, 64], Run.received, **options)
+        self.assertGreater(received[1], 2 * received[0])
+        bits = self.compare("aggregation: {max_ampdu: 0, max_amsdu: {}}", [0, 3839], Run.bits, **options)
+        self.assertGreater(bits[1], 6 * bits[0])
+
     def test_mixed_cells_with_an_mcs(self):
         radio = ("profile: ieee80211n", "width: 40 MHz", "streams: 2", "mcs: 0")
 
@@ -490,6 +512,8 @@ ELSEWHERE = {
     "hysteresis": "handover_test.py", "beacon_weight": "roaming_test.cpp", "distribution_delay": "roaming_test.cpp",
     "bits_at_risk": "tests/analytic/radio/phy_mode_test.cpp, range_test.cpp",
     "range": "tests/unit/sim/radio/disk_mac_test.cpp",
+    "reorder_timeout": "tests/unit/sim/radio/recipient_agreement_test.cpp",
+    **dict.fromkeys(("background", "video", "voice"), "tests/unit/sim/radio/recipient_agreement_test.cpp, edca_test.cpp"),
 }
 
 

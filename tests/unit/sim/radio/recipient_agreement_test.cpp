@@ -1,0 +1,126 @@
+#include "sim/radio/mac/recipient_agreement.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "tests/unit/sim/radio/air.h"
+
+namespace sim::radio::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+ReceivedMpdu mpdu(std::uint16_t sequence) {
+  auto frame = std::make_shared<Frame>();
+  frame->sequence = sequence;
+  return {std::move(frame), {}, {}, hal::Time{}};
+}
+
+std::string numbers(const std::vector<ReceivedMpdu>& released) {
+  std::string text;
+  for (const ReceivedMpdu& one : released) {
+    text += (text.empty() ? "" : " ") + std::to_string(one.frame->sequence);
+  }
+  return text;
+}
+
+// IEEE Std 802.11-2020, 10.25.6.6.
+TEST(RecipientAgreement, PassesOnInOrderAndDropsDuplicates) {
+  RecipientAgreement agreement(4094, 4);
+  EXPECT_EQ(numbers(agreement.accept(mpdu(4095))), "");
+  EXPECT_TRUE(agreement.waiting_since());
+  EXPECT_EQ(numbers(agreement.accept(mpdu(4095))), "") << "twice";
+  EXPECT_EQ(numbers(agreement.accept(mpdu(4094))), "4094 4095");
+  EXPECT_EQ(numbers(agreement.accept(mpdu(4094))), "") << "old";
+  EXPECT_EQ(numbers(agreement.accept(mpdu(0))), "0");
+  EXPECT_FALSE(agreement.waiting_since());
+}
+
+TEST(RecipientAgreement, MovesItsWindowByWhatLiesBeyondIt) {
+  RecipientAgreement agreement(10, 4);
+  EXPECT_EQ(numbers(agreement.accept(mpdu(11))), "");
+  EXPECT_EQ(numbers(agreement.accept(mpdu(15))), "11") << "12 .. 15 is the window now";
+  EXPECT_EQ(numbers(agreement.accept(mpdu(10))), "") << "given up";
+  EXPECT_EQ(numbers(agreement.move_to(14)), "") << "a BlockAckReq";
+  EXPECT_EQ(numbers(agreement.accept(mpdu(14))), "14 15");
+}
+
+TEST(RecipientAgreement, SkipsAGap) {
+  RecipientAgreement agreement(0, 64);
+  (void)agreement.accept(mpdu(2));
+  (void)agreement.accept(mpdu(3));
+  (void)agreement.accept(mpdu(5));
+  EXPECT_EQ(numbers(agreement.skip_gap()), "2 3");
+  EXPECT_EQ(numbers(agreement.skip_gap()), "5");
+}
+
+TEST(RecipientAgreement, ScoresWhatItHasReceived) {
+  RecipientAgreement agreement(4000, 64);
+  for (const int number : {4000, 4002, 4070}) agreement.score(static_cast<std::uint16_t>(number));
+  const BlockAckFields said = agreement.block_ack(5);
+  EXPECT_EQ(said.tid, 5);
+  EXPECT_EQ(said.start, 4070 - 63);
+  EXPECT_EQ(said.length, 64U);
+  EXPECT_EQ(said.received.count(), 1U);
+  EXPECT_TRUE(said.received[63]);
+  RecipientAgreement large(0, 256);
+  EXPECT_EQ(large.block_ack(0).length, 256U);
+}
+
+/// When the third of three MPDUs is passed on, whose second is never sent again.
+hal::Duration third_after(hal::Duration timeout) {
+  Air air(Profile::kIeee80211n);
+  dcf_of(air.config)->aggregation.reorder_timeout = timeout;
+  air.add_line(2, 30);
+  air.build();
+  air.send(1, 2, 100);
+  air.at(100ms, [&air] {
+    for (int i = 0; i < 3; ++i) air.send(1, 2, 100);
+  });
+  air.at(100ms + 60us, [&air] {  // during the second
+    air.network->interfere({{30, 1, 0}, hal::Milliwatts{100}, std::nullopt, 5us});
+  });
+  air.at(100ms + 150us, [&air] { air.sap(1).set_radio(false); });  // after the BlockAck
+  air.run(2s);
+  const auto& received = air.inbox(2).received;
+  EXPECT_EQ(received.size(), 3U);
+  return received.back().at - received.at(1).at;
+}
+
+TEST(Recipient, WaitsForAMissingMpduAsLongAsItsTimeout) {
+  EXPECT_EQ(third_after(100ms), 100ms);
+  EXPECT_EQ(third_after(7ms), 7ms);
+}
+
+// Table 10-1 and table 9-155: from the end of a frame to that of SIFS, AIFSN slots and no backoff.
+TEST(Edca, EachUserPriorityWaitsForTheAifsOfItsCategory) {
+  constexpr std::array<int, 8> kAifsn{3, 7, 7, 3, 2, 2, 2, 2};
+  constexpr hal::Duration kSifsOfG = 10us, kSlotOfG = 20us;
+  for (std::uint8_t priority = 0; priority < 8; ++priority) {
+    Air air(Profile::kIeee80211g);
+    DcfConfig& dcf = *dcf_of(air.config);
+    dcf.propagation.propagation_delay = false;
+    dcf.qos = true;
+    for (AccessParameters& one : dcf.edca.categories) one.cw_min = one.cw_max = 0;
+    air.add_line(2, 30);
+    air.build();
+    air.broadcast(2, 100);
+    air.at(50us, [&air, priority] {
+      air.sap(1).transmit({.destination = hal::AgentId{2},
+                           .priority = priority,
+                           .payload = std::make_shared<const hal::Bytes>(100)});
+    });
+    air.run(10ms);
+    const hal::Duration end =
+        air.log.starts.at(0).at.time_since_epoch() + air.log.starts.at(0).frame.airtime;
+    EXPECT_EQ(air.log.starts.at(1).at.time_since_epoch() - end,
+              kSifsOfG + kAifsn.at(priority) * kSlotOfG)
+        << int{priority};
+    EXPECT_EQ(air.log.starts.at(1).frame.priority, priority);
+  }
+}
+
+}  // namespace
+}  // namespace sim::radio::test
