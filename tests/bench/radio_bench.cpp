@@ -13,6 +13,7 @@
 //   senders=n      beacons: only the first so many send
 //   neighbours=12  beacons: within decode range, in the mean
 //   rate=1         beacons: of broadcasts, Mb/s; from 6 on 802.11g in place of 802.11b
+//   mcs=-1         saturation, from 0 on: 802.11n with this MCS and A-MPDUs, in place of 802.11b
 //   energy=-62     energy detection, dBm; stock ns-3 adds up against its -82
 //   seed=1  time=1 warm=0.3    s; the costs of `time`, after `warm`
 //
@@ -123,10 +124,10 @@ class Source final : public radio::MacClient {
     events_.schedule(events_.now() + phase, sim::Rank::kNodeTimer, self,
                      [this, self] { beacon(self); });
   }
-  void saturate(AgentId to, const radio::Payload& payload) {
+  /// @param waiting  number of requests that are always there.
+  void saturate(AgentId to, const radio::Payload& payload, int waiting) {
     request_ = {.destination = to, .payload = payload};
-    sap_.transmit(request_);
-    sap_.transmit(request_);
+    for (int i = 0; i < waiting; ++i) sap_.transmit(request_);
     refill_ = true;
   }
 
@@ -178,6 +179,14 @@ radio::RadioConfig config_of(const Options& options) {
   set(options, ofdm);
   dsss.phy.data_rate = hal::BitsPerSecond{11e6};
   dsss.basic_rates = {hal::BitsPerSecond{1e6}};
+  if (options.at("mcs") >= 0) {
+    radio::Ieee80211nConfig ht;
+    set(options, ht);
+    ht.phy.broadcast_rate = hal::BitsPerSecond{6e6};
+    ht.contention.rts_threshold = 65'535;
+    ht.mcs.mcs = static_cast<std::uint8_t>(options.at("mcs"));
+    return ht;
+  }
   if (options.at("rate") < 6) return dsss;
   return ofdm;
 }
@@ -240,7 +249,10 @@ class Bench {
   }
   void saturate() {
     const auto payload = std::make_shared<hal::Bytes>(1500);
-    for (std::size_t i = 1; i < sources_.size(); ++i) sources_[i]->saturate(agent_of(0), payload);
+    const int waiting = options_.at("mcs") >= 0 ? 150 : 2;
+    for (std::size_t i = 1; i < sources_.size(); ++i) {
+      sources_[i]->saturate(agent_of(0), payload, waiting);
+    }
   }
 
   void run() {
@@ -295,7 +307,7 @@ class Bench {
 
 int main(int argc, char** argv) {
   Options options{{"n", 1000}, {"movers", 0}, {"senders", 1e9}, {"neighbours", 12}, {"energy", -62},
-                  {"rate", 1}, {"seed", 1},   {"time", 1},      {"warm", 0.3}};
+                  {"rate", 1}, {"mcs", -1},   {"seed", 1},      {"time", 1},        {"warm", 0.3}};
   const std::string kind = argc > 1 ? argv[1] : "";
   bool is_good = kind == "beacons" || kind == "saturation";
   for (int i = 2; i < argc; ++i) {

@@ -23,8 +23,8 @@ void ChannelAccess::add(const AccessParameters& parameters, const DcfTiming& tim
                          .aifs = timing.sifs + parameters.aifsn * timing.slot,
                          .cca_time = timing.cca_time,
                          .counts_first = counts_first};
-  functions_.push_back(std::make_unique<Function>(
-      *this, events_, agent_, Function::Settings{functions_.size(), parameters, own}));
+  functions_[count_].emplace(*this, events_, agent_, Function::Settings{count_, parameters, own});
+  ++count_;
 }
 
 hal::Duration ChannelAccess::txop_limit(ContentionFunction function) const {
@@ -42,27 +42,27 @@ void ChannelAccess::draw(ContentionFunction function) {
 }
 
 void ChannelAccess::on_busy() {
-  for (const auto& one : functions_) one->backoff.on_busy(one->window.value());
+  each([](Function& one) { one.backoff.on_busy(one.window.value()); });
 }
 
 void ChannelAccess::on_idle() {
-  for (const auto& one : functions_) one->backoff.on_idle();
+  each([](Function& one) { one.backoff.on_idle(); });
 }
 
 void ChannelAccess::hold_until(hal::Time until) {
-  for (const auto& one : functions_) one->backoff.hold_until(until);
+  each([until](Function& one) { one.backoff.hold_until(until); });
 }
 
 void ChannelAccess::reset(bool busy) {
   ready_.clear();
-  for (const auto& one : functions_) {
-    one->window.reset();
-    one->backoff.reset(busy);
-  }
+  each([busy](Function& one) {
+    one.window.reset();
+    one.backoff.reset(busy);
+  });
 }
 
 void ChannelAccess::on_access(ContentionFunction function) {
-  if (functions_.size() == 1) return listener_.on_access(function);
+  if (count_ == 1) return listener_.on_access(function);
   ready_.push_back(function);
   // The backoffs of other functions that end now come before this event.
   if (ready_.size() == 1) {

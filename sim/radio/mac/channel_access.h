@@ -1,7 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -36,7 +37,7 @@ class ChannelAccess {
                 const DcfTiming& timing, const hal::RandomStream& random,
                 ChannelAccessListener& listener);
 
-  std::size_t functions() const { return functions_.size(); }
+  std::size_t functions() const { return count_; }
   /// Longest time for which the function may hold the medium; 0: one frame exchange.
   hal::Duration txop_limit(ContentionFunction function) const;
 
@@ -86,7 +87,14 @@ class ChannelAccess {
   hal::AgentId agent_;
   hal::RandomStream random_;
   ChannelAccessListener& listener_;
-  std::vector<std::unique_ptr<Function>> functions_;
+  /// Calls `act` with each function.
+  template <class Act>
+  void each(Act act) {
+    for (std::size_t i = 0; i < count_; ++i) act(*functions_[i]);
+  }
+
+  std::size_t count_ = 0;
+  std::array<std::optional<Function>, kAccessCategories> functions_;  ///< In place, for the cache.
   std::vector<ContentionFunction> ready_;  ///< Those whose backoffs end now.
 };
 

@@ -67,9 +67,10 @@ class DcfMac final : public MacBase,
 
   const DcfConfig& config_;
   Radio& radio_;
-  FrameFactory frames_;
+  // What every frame on the air needs comes first, for the cache.
   ChannelAccess access_;
   CarrierSense carrier_;
+  FrameFactory frames_;
   Originator originator_;
   Recipient recipient_;
   FrameSequence sequence_;

@@ -16,7 +16,7 @@ struct Span {
 };
 
 /// Share of a span that lies in [from, to).
-double share(hal::Time from, hal::Time to, Span span) {
+inline double share(hal::Time from, hal::Time to, Span span) {
   const hal::Duration common =
       std::max(hal::Duration{}, std::min(to, span.high) - std::max(from, span.low));
   if (common == hal::Duration{}) return 0;
