@@ -104,7 +104,8 @@ PsduSize Aggregation::fill(MpduStream& stream, TxQueue& queue, const PpduLimits&
   PsduSize size;
   for (const Mpdu& mpdu : stream.in_flight) {
     const std::optional<PsduSize> next = with(size, mpdu.bits, limits);
-    if (!next) return finished(size, stream, limits.mode);
+    // Without an agreement, MPDUs of an earlier one are sent one by one.
+    if (!next || size.mpdus == stream.window) return finished(size, stream, limits.mode);
     size = *next;
   }
   std::size_t place = 0;

@@ -181,7 +181,9 @@ void DcfMac::on_unicast(const ReceivedPpdu& received) {
     return;
   }
   if (is_control(frame.type)) return;
-  if (FramePtr answer = recipient_.answer_to(received)) sequence_.answer(std::move(answer));
+  FramePtr answer = recipient_.answer_to(received);
+  if (answer == nullptr) return;  // what is not acknowledged will come again
+  sequence_.answer(std::move(answer));
   recipient_.accept(received);
 }
 

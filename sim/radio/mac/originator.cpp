@@ -132,8 +132,10 @@ std::optional<Exchange> Originator::next(ContentionFunction number, hal::Time no
   Function& function = functions_[number];
   if (!function.streams.empty()) {
     MpduStream& stream = *function.streams.front();
+    discard_expired(stream, now, ended);
     if (stream.must_ask) return request_exchange(number, stream);
-    return stream_exchange(number, stream, now, budget);
+    if (!stream.in_flight.empty()) return stream_exchange(number, stream, now, budget);
+    settle(function, stream);
   }
   discard_expired(function, now, ended);
   if (function.queue.is_empty()) return std::nullopt;

@@ -101,6 +101,7 @@ class Originator {
   }
   bool is_expired(const Outgoing& outgoing, hal::Time now) const;
   void discard_expired(Function& function, hal::Time now, EndedMsdus& ended);
+  void discard_expired(MpduStream& stream, hal::Time now, EndedMsdus& ended);
   bool is_stream(const Outgoing& outgoing) const;
   MpduStream& stream_of(const Outgoing& outgoing);
   bool request_agreement(MpduStream& stream, Function& function, hal::Time now);

@@ -46,6 +46,21 @@ void Originator::end_exchange(const Exchange& exchange, hal::Verdict verdict, ha
   settle(function, stream);
 }
 
+/// Gives up MPDUs whose time is over; the receiver is told.
+void Originator::discard_expired(MpduStream& stream, hal::Time now, EndedMsdus& ended) {
+  if (!config_.msdu_lifetime) return;
+  std::deque<Mpdu> left;
+  for (Mpdu& mpdu : stream.in_flight) {
+    if (is_expired(mpdu.msdus.front(), now)) {
+      end(mpdu, hal::Verdict::kExpired, ended);
+      stream.must_ask = stream.agreement == MpduStream::Agreement::kActive;
+    } else {
+      left.push_back(std::move(mpdu));
+    }
+  }
+  stream.in_flight = std::move(left);
+}
+
 void Originator::on_delivered(const Exchange& exchange, hal::Time now, EndedMsdus& ended) {
   if (!exchange.is_group() && has_rate_control(exchange)) rates_->on_result(exchange.to, true);
   end_exchange(exchange, hal::Verdict::kDelivered, now, ended);
@@ -86,9 +101,13 @@ void Originator::on_block_ack(const Exchange& exchange, const BlockAckFields& fi
 /// @return whether they were given up.
 bool Originator::miss_block_ack(const Exchange& exchange, EndedMsdus& ended) {
   MpduStream& stream = *exchange.stream;
-  stream.must_ask = true;
+  stream.must_ask = stream.agreement == MpduStream::Agreement::kActive;
   if (exchange.kind == Exchange::Kind::kAggregate) {
     rates_->on_aggregate(exchange.to, 0, exchange.mpdus);
+    return false;
+  }
+  if (!stream.must_ask) {  // the receiver has ended the agreement
+    settle(functions_[exchange.function], stream);
     return false;
   }
   if (++stream.asked < config_.contention.short_retry_limit) return false;

@@ -18,6 +18,7 @@ inline RadioConfig ht_like_the_peer(const PeerRow& row) {
   n.propagation.chain = {LogDistanceConfig{}};
   n.bits_at_risk = BitsAtRisk::kPayloadTime;
   n.mcs.times = PpduTimes::kNs3;
+  if (row.at("band_ghz") == "5") set_channel(n, 36);
   n.mcs.mcs = static_cast<std::uint8_t>(std::stoi(row.at("mcs")));
   n.mcs.width = static_cast<std::uint16_t>(std::stoi(row.at("width_mhz")));
   n.mcs.guard = hal::Duration{std::stol(row.at("gi_ns"))};
@@ -50,7 +51,8 @@ inline double mean_goodput(const PeerRow& row, int seeds) {
 
 /// The rows of one cell, whatever the seed.
 inline std::string name_of_cell(const PeerRow& row) {
-  std::string name = "mcs" + row.at("mcs") + "_n" + row.at("n_be") + "_" + row.at("payload_be") +
+  std::string name = row.at("band_ghz") + "GHz_" + row.at("width_mhz") + "_gi" + row.at("gi_ns") +
+                     "_mcs" + row.at("mcs") + "_n" + row.at("n_be") + "_" + row.at("payload_be") +
                      "_ampdu" + row.at("max_ampdu") + "_amsdu" + row.at("max_amsdu") + "_loss" +
                      row.at("post_loss");
   std::ranges::replace(name, '.', 'p');

@@ -57,6 +57,7 @@ std::string name_of(const testing::TestParamInfo<PeerCell>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Saturation, Ht, testing::ValuesIn(cells("ht_saturation_ns3.csv")),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(More, Ht, testing::ValuesIn(cells("ht_more_ns3.csv")), name_of);
 INSTANTIATE_TEST_SUITE_P(BlockAck, Ht, testing::ValuesIn(cells("ht_blockack_ns3.csv")), name_of);
 
 }  // namespace

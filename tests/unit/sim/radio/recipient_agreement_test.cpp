@@ -94,6 +94,54 @@ TEST(Recipient, WaitsForAMissingMpduAsLongAsItsTimeout) {
   EXPECT_EQ(third_after(7ms), 7ms);
 }
 
+std::vector<hal::Verdict> verdicts_of(Air& air) {
+  std::vector<hal::Verdict> all;
+  for (const Inbox::Ended& one : air.inbox(1).ended) all.push_back(one.verdict);
+  return all;
+}
+
+/// The receiver goes off after an agreement; then three MSDUs are sent.
+std::vector<hal::Verdict> to_one_that_is_off(std::optional<hal::Duration> lifetime) {
+  Air air(Profile::kIeee80211n);
+  dcf_of(air.config)->msdu_lifetime = lifetime;
+  air.add_line(2, 30);
+  air.build();
+  air.send(1, 2, 100);
+  air.at(100ms, [&air] {
+    air.sap(2).set_radio(false);
+    for (int i = 0; i < 3; ++i) air.send(1, 2, 100);
+  });
+  air.run(2s);
+  return verdicts_of(air);
+}
+
+TEST(Originator, GivesUpWhatNobodyAcknowledges) {
+  using enum hal::Verdict;
+  EXPECT_EQ(to_one_that_is_off({}),
+            (std::vector{kDelivered, kRetryLimit, kRetryLimit, kRetryLimit}));
+  EXPECT_EQ(to_one_that_is_off(1ms), (std::vector{kDelivered, kExpired, kExpired, kExpired}));
+}
+
+// The receiver's radio was off: it has forgotten the agreement and says so by a DELBA.
+TEST(Originator, SendsOneByOneWhenTheAgreementIsForgotten) {
+  Air air(Profile::kIeee80211n);
+  air.add_line(2, 30);
+  air.build();
+  air.send(1, 2, 100);
+  air.at(50ms, [&air] { air.sap(2).set_radio(false); });
+  air.at(51ms, [&air] { air.sap(2).set_radio(true); });
+  air.at(100ms, [&air] {
+    for (int i = 0; i < 3; ++i) air.send(1, 2, 100);
+  });
+  air.at(400ms, [&air] {
+    for (int i = 0; i < 3; ++i) air.send(1, 2, 100);
+  });
+  air.run(2s);
+  EXPECT_EQ(verdicts_of(air), std::vector(7, hal::Verdict::kDelivered));
+  EXPECT_EQ(air.inbox(2).received.size(), 7U);
+  EXPECT_EQ(air.log.starts.back().frame.type, FrameType::kBlockAck) << "they have agreed again";
+}
+
 // Table 10-1 and table 9-155: from the end of a frame to that of SIFS, AIFSN slots and no backoff.
 TEST(Edca, EachUserPriorityWaitsForTheAifsOfItsCategory) {
   constexpr std::array<int, 8> kAifsn{3, 7, 7, 3, 2, 2, 2, 2};
