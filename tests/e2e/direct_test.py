@@ -125,7 +125,7 @@ class Direct(Case):
             return finished.err
 
         self.assertIn("routing: 'nobody' is not", check("routing=nobody"))
-        self.assertIn("agents.walker.routing: 'oadv' is not one of ants, anthocnet, aodv, flooding, none",
+        self.assertIn("agents.walker.routing: 'oadv' is not one of ants, anthocnet, aodv, flooding, static, none",
                       check("agents.walker.routing=oadv"))
         self.assertIn("line.speed: 0 m/s is below", check("agents.walker.station.path.line.speed=0 m/s"))
         self.assertIn("line: cannot be combined with circle", check("agents.posts.circle={count: 2, radius: 1 m}"))
