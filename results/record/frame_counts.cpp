@@ -151,7 +151,7 @@ std::vector<Table> FrameCounts::end_tables() {
          "number of radios where a frame was above the interference floor only, summed over the "
          "frames of this transmitter"}}},
       {"packets",
-       "frames whose payload was passed to the network layer",
+       "frames, and MSDUs of A-MSDUs, whose payload was passed to the network layer",
        {{"agent", "INTEGER NOT NULL", "", "receiver"},
         {"peer", "INTEGER NOT NULL", "", "transmitter"},
         {"class", "TEXT NOT NULL", "", "'broadcast' or 'unicast'"},
