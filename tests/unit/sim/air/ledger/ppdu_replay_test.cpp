@@ -170,10 +170,11 @@ TEST_P(Saturated, TsharkReadsTheBitmapsOfBlockAcks) {
   if (tests::output_of("command -v tshark").empty()) GTEST_SKIP() << "tshark is not installed";
   SaturatedReplay replay(GetParam(), 0.1);
   replay.run(3s);
-  const std::string fields = std::string(kSubtypeSql) + " || ',' || " + address_sql("receiver") +
-                             " || ',' || tid || ',' || CAST(block_ack AS INTEGER) || ',' || CASE"
-                             " WHEN instr(block_ack, ':') > 0 THEN"
-                             " substr(block_ack, instr(block_ack, ':') + 1) ELSE '' END";
+  const std::string fields =
+      std::string(kSubtypeSql) + " || ',' || " + address_sql("receiver") +
+      " || ',' || printf('0x%04x', tid) || ',' || CAST(block_ack AS INTEGER) || ',' || CASE"
+      " WHEN instr(block_ack, ':') > 0 THEN"
+      " substr(block_ack, instr(block_ack, ':') + 1) ELSE '' END";
   const Lines recorded = rows(replay, fields, "FROM frames WHERE class = 'block_ack'");
   EXPECT_GT(recorded.size(), 5U);
   EXPECT_EQ(tshark(replay,
