@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "results/record/radiotap.h"
 #include "sim/radio/mac/frame.h"
 
 namespace results::record {
@@ -26,11 +25,12 @@ std::optional<double> noise_of(const sim::radio::RadioConfig& config) {
   return waves->receiver.noise_floor.value;
 }
 
-/// From the begin of the frame to the last bit of its MPDU, and to its first bit.
+/// From the begin of the PPDU to its last bit, and to the first bit after its header.
 hal::Duration until_last_bit(const sim::radio::Frame& frame) {
-  return frame.airtime - (frame.mode == nullptr ? hal::Duration{} : frame.mode->signal_extension());
+  return frame.ppdu_airtime() -
+         (frame.mode == nullptr ? hal::Duration{} : frame.mode->signal_extension());
 }
-hal::Duration until_mpdu(const sim::radio::Frame& frame) {
+hal::Duration until_psdu(const sim::radio::Frame& frame) {
   return frame.mode == nullptr ? hal::Duration{} : frame.mode->preamble_and_header();
 }
 
@@ -45,17 +45,26 @@ AirCapture::AirCapture(const std::filesystem::path& file, const Air& air,
   for (const auto& [station, channel] : air.others) of_stations_[station] = megahertz(channel);
 }
 
-std::uint16_t AirCapture::frequency_of(const sim::radio::Frame& frame) const {
+/// @param start  of the PPDU.
+RadiotapFields AirCapture::fields_of(const sim::radio::Frame& frame, hal::Time start) {
   const auto other = of_stations_.find(frame.transmitter);
-  return other == of_stations_.end() ? frequency_ : other->second;
+  return {.mpdu_start = start + until_psdu(frame),
+          .frequency = other == of_stations_.end() ? frequency_ : other->second,
+          .ampdu = number_of_ampdu(frame)};
+}
+
+std::uint32_t AirCapture::number_of_ampdu(const sim::radio::Frame& frame) {
+  if (frame.ampdu == 0) return 0;
+  const std::pair ampdu(frame.transmitter, frame.ampdu);
+  if (std::exchange(last_ampdu_, ampdu) != ampdu) ++ampdus_;
+  return ampdus_;
 }
 
 void AirCapture::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
   write_ended(at);
   if (heard_by_ && frame.transmitter != *heard_by_) return;
-  const RadiotapFields fields{.mpdu_start = at + until_mpdu(frame),
-                              .frequency = frequency_of(frame)};
-  in_the_air_.emplace(at + until_last_bit(frame), InTheAir{frame.id, with_radiotap(frame, fields)});
+  in_the_air_.emplace(at + until_last_bit(frame),
+                      InTheAir{frame.id, with_radiotap(frame, fields_of(frame, at))});
 }
 
 void AirCapture::on_frame_cut(hal::Time at, const sim::radio::Frame& frame) {
@@ -67,8 +76,8 @@ void AirCapture::on_reception(hal::Time at, const sim::radio::Frame& frame, hal:
                               hal::Verdict verdict, double rssi_dbm) {
   if (heard_by_ != receiver || verdict != hal::Verdict::kDelivered) return;
   write_ended(at);
-  const hal::Time start = at - frame.airtime;
-  RadiotapFields fields{.mpdu_start = start + until_mpdu(frame), .frequency = frequency_of(frame)};
+  const hal::Time start = at - frame.ppdu_airtime();
+  RadiotapFields fields = fields_of(frame, start);
   if (noise_dbm_) fields.signal_dbm = rssi_dbm;
   fields.noise_dbm = noise_dbm_;
   file_.add(start + until_last_bit(frame), PcapngFile::Direction::kInbound,

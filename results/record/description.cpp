@@ -38,9 +38,10 @@ killed, `result` is still `running`; `baraka report` and `baraka export` call it
 A capture (pcapng, link type radiotap, time stamps in ns since the start of the run) contains every
 frame on the air once, as an ideal receiver that hears everything would record it. With
 `air_heard_by: AGENT` it contains what the radio of that agent sends and receives, whether addressed
-to it or not. The time stamp of a packet is that of the last bit of the frame; the TSFT of radiotap
-is that of the first bit of the MPDU (us, rounded down). The capture does not contain frames that
-were cut off because a radio was switched off, frames still in the air at the end, or frames that
+to it or not. The time stamp of a packet is that of the last bit of its PPDU; the TSFT of radiotap
+is that of the first bit after the PPDU's header (us, rounded down). Each MPDU of an A-MPDU is one
+packet, with the time of the A-MPDU and its number in the file; HT, VHT and HE have their MCS,
+streams, width and guard interval. The capture does not contain frames that were cut off because a radio was switched off, frames still in the air at the end, or frames that
 the agent did not receive: the FCS of every packet is correct. The bytes are those of the frame
 (IEEE 802.11, LLC/SNAP, FCS), even where `lengths: fixed` gives it another length on the air. Agent
 hhll has the MAC address 02:00:00:00:hh:ll. Repeating the run writes the same bytes.

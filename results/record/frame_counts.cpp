@@ -120,12 +120,12 @@ void FrameCounts::write(hal::Time now) {
 std::vector<Table> FrameCounts::sent_tables() {
   return {
       {"frames_sent",
-       "number of frames sent",
+       "number of frames sent; each MPDU of an A-MPDU is one",
        {{"agent", "INTEGER NOT NULL", "", "transmitter"},
         {"peer", "INTEGER NOT NULL", "", "receiver"},
         {"class", "TEXT NOT NULL", "",
          "'broadcast' or 'unicast' (data), 'rts', 'cts', 'ack', 'beacon', 'management' (the other "
-         "management frames)"},
+         "management frames), 'block_ack' (BlockAck and BlockAckReq)"},
         {"count", "INTEGER NOT NULL", "", "frames"}},
        "agent, peer, class"},
       {"receptions",
@@ -151,7 +151,7 @@ std::vector<Table> FrameCounts::end_tables() {
          "number of radios where a frame was above the interference floor only, summed over the "
          "frames of this transmitter"}}},
       {"packets",
-       "frames whose payload was passed to the network layer",
+       "frames, and MSDUs of A-MSDUs, whose payload was passed to the network layer",
        {{"agent", "INTEGER NOT NULL", "", "receiver"},
         {"peer", "INTEGER NOT NULL", "", "transmitter"},
         {"class", "TEXT NOT NULL", "", "'broadcast' or 'unicast'"},
@@ -188,7 +188,7 @@ std::vector<Table> FrameCounts::link_views() {
        " GROUP BY 1, 2, 3, 4),"
        " ended AS (SELECT agent, peer, class, addressed, verdict, count FROM receptions"
        " UNION ALL SELECT p.agent, p.peer, a.class, a.peer IN (p.agent, 65534, 65535),"
-       " 'under way', 1 FROM pairs p JOIN in_the_air a ON a.agent = p.peer"
+       " 'under way', a.frames FROM pairs p JOIN in_the_air a ON a.agent = p.peer"
        " WHERE NOT EXISTS (SELECT 1 FROM in_the_air_ended e"
        " WHERE e.agent = p.agent AND e.peer = p.peer)),"
        " told AS (SELECT agent, peer, class, addressed, SUM(count) AS count FROM ended"
@@ -218,11 +218,12 @@ std::vector<Table> FrameCounts::sum_views() {
        " UNION ALL SELECT class, 0, SUM(count * (radios - (peer <> agent)))"
        " FROM frames_sent, others WHERE peer < 65534 GROUP BY 1),"
        " in_air AS (SELECT class, 1 AS addressed,"
-       " SUM(CASE WHEN peer >= 65534 THEN radios ELSE peer <> agent END) AS count"
+       " SUM(frames * CASE WHEN peer >= 65534 THEN radios ELSE peer <> agent END) AS count"
        " FROM in_the_air, others GROUP BY 1"
-       " UNION ALL SELECT class, 0, SUM(radios - (peer <> agent)) FROM in_the_air, others"
+       " UNION ALL SELECT class, 0, SUM(frames * (radios - (peer <> agent))) FROM in_the_air, "
+       "others"
        " WHERE peer < 65534 GROUP BY 1"
-       " UNION ALL SELECT a.class, a.peer IN (e.agent, 65534, 65535), -COUNT(*)"
+       " UNION ALL SELECT a.class, a.peer IN (e.agent, 65534, 65535), -SUM(a.frames)"
        " FROM in_the_air_ended e JOIN in_the_air a ON a.agent = e.peer GROUP BY 1, 2),"
        " ended AS (SELECT class, addressed, verdict, SUM(count) AS count FROM receptions"
        " GROUP BY 1, 2, 3"

@@ -15,7 +15,7 @@
 
 namespace results::record {
 
-/// Writes the tables frames and frame_ends.
+/// Writes the tables frames, msdus and frame_ends.
 ///
 /// With Detail::kSample a frame is listed if fewer than kRowsOfSecond rows have been written for
 /// the simulated second in which it begins; all its ends are then listed as well. So each second is
@@ -38,8 +38,9 @@ class FrameLog final : public TopicWriter {
 
  private:
   bool takes(hal::Time at, const sim::radio::Frame& frame);
+  void list_msdus(const sim::radio::Frame& frame);
 
-  Statement insert_, insert_end_;
+  Statement insert_, insert_msdu_, insert_end_;
   sim::scenario::Detail detail_;
   const Protocols& protocols_;
   Commits& commits_;

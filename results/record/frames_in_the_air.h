@@ -13,7 +13,7 @@
 namespace results::record {
 
 /// Writes the tables in_the_air and in_the_air_ended: frames whose ends are not yet known at all
-/// radios. Each station has at most one.
+/// radios. Each station has at most one, or those of one A-MPDU.
 class FramesInTheAir {
  public:
   /// @param tail  maximum propagation delay: how long after its end at the transmitter a frame can
@@ -36,7 +36,8 @@ class FramesInTheAir {
 
  private:
   struct Last {
-    std::uint64_t frame = 0;  ///< 0: none was sent yet.
+    std::uint64_t frame = 0;  ///< The first of an A-MPDU; 0: none was sent yet.
+    std::uint32_t ampdu = 0, frames = 0;
     hal::AgentId receiver{};
     sim::radio::FrameClass kind{};
     hal::Time end{};

@@ -12,6 +12,12 @@ FrameName packet_name(const sim::radio::Frame& frame, const Protocols& protocols
   return protocol->name_frame({frame.source(), frame.destination(), *frame.payload});
 }
 
+FrameName packet_name(const sim::radio::AmsduPart& msdu, const Protocols& protocols) {
+  const auto* const protocol = protocols.of(msdu.source);
+  if (protocol == nullptr || msdu.ethertype != sim::radio::kEthertypeRouting) return {};
+  return protocol->name_frame({msdu.source, msdu.destination, *msdu.payload});
+}
+
 FrameName packet_name(const sim::radio::MacRequest& request, hal::AgentId source,
                       const Protocols& protocols) {
   const auto* const protocol = protocols.of(source);

@@ -12,6 +12,10 @@ namespace results::record {
 hal::node::routing::FrameName packet_name(const sim::radio::Frame& frame,
                                           const Protocols& protocols);
 
+/// The same for an MSDU of an A-MSDU.
+hal::node::routing::FrameName packet_name(const sim::radio::AmsduPart& msdu,
+                                          const Protocols& protocols);
+
 /// The same for a frame that `source` asks its radio to send.
 hal::node::routing::FrameName packet_name(const sim::radio::MacRequest& request,
                                           hal::AgentId source, const Protocols& protocols);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/record/radiotap_phy.h"
 #include "sim/radio/mac/codec.h"
 
 namespace results::record {
@@ -45,8 +46,9 @@ std::uint8_t flags_of(const sim::radio::Frame& frame) {
   return static_cast<std::uint8_t>(kFcsAtEnd | (is_short ? kShortPreamble : 0));
 }
 
-/// In units of 500 kb/s; none if the rate is not a multiple, or does not fit.
+/// In units of 500 kb/s; none if the rate is not a multiple, does not fit, or is of an MCS.
 std::optional<std::uint8_t> rate_of(const sim::radio::Frame& frame) {
+  if (sim::radio::has_streams(modulation_of(frame))) return std::nullopt;
   const double units = frame.rate.value / 500e3;
   if (units < 1 || units > 127 || units != std::floor(units)) return std::nullopt;
   return static_cast<std::uint8_t>(units);
@@ -55,13 +57,51 @@ std::optional<std::uint8_t> rate_of(const sim::radio::Frame& frame) {
 std::uint16_t channel_flags(const sim::radio::Frame& frame, std::uint16_t frequency) {
   std::uint16_t flags = frequency < 4000 ? k2GHz : k5GHz;
   if (modulation_of(frame) == sim::radio::ModulationClass::kDsss) flags |= kCck;
-  if (modulation_of(frame) == sim::radio::ModulationClass::kOfdm) flags |= kOfdm;
+  if (modulation_of(frame) >= sim::radio::ModulationClass::kOfdm) flags |= kOfdm;
   return flags;
 }
 
 std::uint8_t whole_dbm(double dbm) {
   return static_cast<std::uint8_t>(
       static_cast<std::int8_t>(std::clamp(std::round(dbm), -128.0, 127.0)));
+}
+
+RadiotapPhy phy_of(sim::radio::ModulationClass modulation) {
+  switch (modulation) {
+    case sim::radio::ModulationClass::kHt:
+      return RadiotapPhy::kHt;
+    case sim::radio::ModulationClass::kVht:
+      return RadiotapPhy::kVht;
+    default:
+      return RadiotapPhy::kHe;
+  }
+}
+
+/// HE-LTFs as in sim::radio::HeMode: 2x, but 4x with the longest guard interval.
+std::optional<int> he_ltf_of(const sim::radio::ModeId& mode) {
+  if (mode.modulation != sim::radio::ModulationClass::kHe) return std::nullopt;
+  constexpr hal::Duration kLongestGuard = std::chrono::nanoseconds{3200};
+  return mode.guard == kLongestGuard ? 12800 : 6400;
+}
+
+/// @return the bits of `it_present` for what was appended.
+std::uint32_t put_mode(hal::Bytes& header, const sim::radio::Frame& frame, std::uint32_t ampdu) {
+  if (!sim::radio::has_streams(modulation_of(frame))) return 0;
+  const sim::radio::ModeId& mode = frame.mode->id();
+  std::optional<RadiotapAmpdu> place;
+  if (frame.ampdu != 0) {
+    place = RadiotapAmpdu{.reference = ampdu, .is_last = frame.is_last_of_ampdu};
+    // Only a single MPDU is marked with EOF.
+    if (mode.modulation != sim::radio::ModulationClass::kHt) place->is_eof = false;
+  }
+  return put_radiotap_phy(header,
+                          {.phy = phy_of(mode.modulation),
+                           .mcs = mode.mcs,
+                           .streams = mode.streams,
+                           .width_mhz = mode.width,
+                           .guard_ns = static_cast<int>(mode.guard.count()),
+                           .he_ltf_ns = he_ltf_of(mode)},
+                          place);
 }
 
 }  // namespace
@@ -73,8 +113,7 @@ hal::Bytes with_radiotap(const sim::radio::Frame& frame, const RadiotapFields& f
   if (fields.signal_dbm) present |= 1U << kSignal;
   if (fields.noise_dbm) present |= 1U << kNoise;
 
-  hal::Bytes out{0, 0, 0, 0};  // version, padding, length
-  put_field(out, present);
+  hal::Bytes out{0, 0, 0, 0, 0, 0, 0, 0};  // version, padding, length; it_present
   put_field(
       out,
       std::chrono::floor<std::chrono::microseconds>(fields.mpdu_start.time_since_epoch()).count());
@@ -85,7 +124,9 @@ hal::Bytes with_radiotap(const sim::radio::Frame& frame, const RadiotapFields& f
   put_field(out, channel_flags(frame, fields.frequency));
   if (fields.signal_dbm) out.push_back(whole_dbm(*fields.signal_dbm));
   if (fields.noise_dbm) out.push_back(whole_dbm(*fields.noise_dbm));
+  present |= put_mode(out, frame, fields.ampdu);
   out[2] = static_cast<std::uint8_t>(out.size());
+  for (int i = 0; i < 4; ++i) out[4 + i] = static_cast<std::uint8_t>(present >> (8 * i));
 
   const hal::Bytes mpdu = sim::radio::encode(frame);
   out.insert(out.end(), mpdu.begin(), mpdu.end());

@@ -11,7 +11,7 @@ namespace results::record {
 
 /// Version of the tables below, stored as `PRAGMA user_version` of the file. It is incremented by
 /// any change of a table, of a column or of a meaning; readers accept this version only.
-inline constexpr int kSchemaVersion = 15;
+inline constexpr int kSchemaVersion = 16;
 
 /// Name of the file with the tables, in the folder of a result.
 inline constexpr const char* kResultsFile = "run.sqlite";
@@ -20,7 +20,7 @@ inline constexpr const char* kResultsFile = "run.sqlite";
 struct Column {
   std::string_view name;  ///< Ends in the unit if there is one: `x_m`, `yaw_rad`, `at_ns`.
   std::string_view type;  ///< SQLite type, with NOT NULL if it is never null.
-  std::string_view unit;  ///< "m", "rad", "ns", "s", "dBm", "bit", "byte"; "" for none.
+  std::string_view unit;  ///< "m", "rad", "ns", "s", "dBm", "bit", "byte", "MHz"; "" for none.
   std::string_view meaning;
 };
 

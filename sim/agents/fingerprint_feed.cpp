@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "sim/agents/ppdu_content.h"
 #include "sim/radio/mac/frame.h"
 
 namespace sim::agents {
@@ -111,8 +112,9 @@ void FingerprintFeed::on_frame_start(hal::Time at, const radio::Frame& frame) {
   hash.add(frame.rate.value);
   hash.add(std::uint64_t{frame.air_length});
   hash.add(std::uint64_t{frame.ethertype});
-  if (frame.payload) add(hash, *frame.payload);
+  add_payload(hash, frame);
   if (frame.group != 0) hash.add(frame.group);
+  add_ppdu(hash, frame);
   if (!frame.is_of_bss()) return;
   hash.add(number(frame.ds));
   hash.add(std::uint64_t{frame.address3.value});

@@ -1,5 +1,6 @@
 #include "sim/agents/frame_digest.h"
 
+#include "sim/agents/ppdu_content.h"
 #include "sim/radio/mac/frame.h"
 
 namespace sim::agents {
@@ -30,7 +31,8 @@ void FrameDigest::on_frame_start(hal::Time at, const radio::Frame& frame) {
   hash_.add(std::int64_t{frame.airtime.count()});
   hash_.add(std::int64_t{frame.duration.count()});
   hash_.add(std::uint64_t{frame.ethertype});
-  if (frame.payload) hash_.add_bytes(frame.payload->data(), frame.payload->size());
+  add_payload(hash_, frame);
+  add_ppdu(hash_, frame);
 }
 
 void FrameDigest::on_frame_cut(hal::Time at, const radio::Frame& frame) {

@@ -25,6 +25,8 @@ struct Piece {
 struct Content {
   std::vector<Piece> pieces;  ///< At least one.
   DatagramPlace place{};
+  /// A-MSDU: contents of its MSDUs; `pieces` are those of all of them, and there is no place.
+  std::vector<std::shared_ptr<const Content>> msdus{};
 
   /// Index of the piece as which the frame is counted: the largest; ties go to the first.
   std::size_t main() const;

@@ -36,7 +36,9 @@ SampleLoss loss_of(hal::Verdict verdict, hal::AgentId at, std::uint64_t frame) {
 
 /// Visits the samples that lie at least partly in a frame.
 template <class Act>
-void for_samples(const DatagramPlace& place, const Act& act) {
+void for_samples(const Content& content, const Act& act) {
+  for (const ContentPtr& msdu : content.msdus) for_samples(*msdu, act);
+  const DatagramPlace& place = content.place;
   if (!place.datagram) return;
   for (const DatagramPart& part : place.datagram->parts) {
     if (part.has_sample() && part.begin < place.end && place.begin < part.end) act(part);
@@ -53,9 +55,34 @@ Ledger::Ledger() {
 
 ContentPtr Ledger::content_of(hal::Time at, const radio::Frame& frame) {
   if (frame.type != radio::FrameType::kData) return of_types_[static_cast<std::size_t>(frame.type)];
-  if (frame.ethertype == radio::kEthertypeRouting) return of_types_.front();
-  if (!is_of_interface(frame.ethertype)) return of_kind(Purpose::kOther, frame.ethertype);
-  return read(at, frame.source(), frame.destination(), frame.payload, frame.ethertype);
+  if (frame.amsdu) return content_of_amsdu(at, *frame.amsdu);
+  return content_of(at, {.source = frame.source(),
+                         .destination = frame.destination(),
+                         .ethertype = frame.ethertype,
+                         .payload = frame.payload});
+}
+
+ContentPtr Ledger::content_of(hal::Time at, const radio::AmsduPart& msdu) {
+  if (msdu.ethertype == radio::kEthertypeRouting) return of_types_.front();
+  if (!is_of_interface(msdu.ethertype)) return of_kind(Purpose::kOther, msdu.ethertype);
+  return read(at, msdu.source, msdu.destination, msdu.payload, msdu.ethertype);
+}
+
+/// Divides the A-MSDU by the lengths of its subframes, and each of these among its own pieces.
+ContentPtr Ledger::content_of_amsdu(hal::Time at, const std::vector<radio::AmsduPart>& msdus) {
+  constexpr std::size_t kHeaders = 14 + 8;  // subframe header and LLC/SNAP
+  auto whole = std::make_shared<Content>();
+  std::vector<std::int64_t> octets;
+  for (const radio::AmsduPart& msdu : msdus) {
+    ContentPtr content = content_of(at, msdu);
+    share_out(static_cast<std::int64_t>(kHeaders + msdu.payload->size()), content->pieces, octets);
+    for (std::size_t i = 0; i < octets.size(); ++i) {
+      Piece& piece = whole->pieces.emplace_back(content->pieces[i]);
+      piece.octets = static_cast<std::uint32_t>(octets[i]);
+    }
+    whole->msdus.push_back(std::move(content));
+  }
+  return whole;
 }
 
 ContentPtr Ledger::read(hal::Time at, hal::AgentId source, hal::AgentId destination,
@@ -77,9 +104,7 @@ void Ledger::on_entered(hal::Time at, hal::AgentId agent, const radio::MacReques
 
 Ledger::Sent* Ledger::find(const radio::Frame& frame) {
   if (frame.transmitter.value >= stations_.size()) return nullptr;
-  Station& station = stations_[frame.transmitter.value];
-  const auto found = std::ranges::find(station.sent, frame.id, &Sent::frame);
-  return found == station.sent.end() ? nullptr : &*found;
+  return stations_[frame.transmitter.value].find(frame.id);
 }
 
 void Ledger::on_frame_start(hal::Time at, const radio::Frame& frame) {
@@ -87,38 +112,34 @@ void Ledger::on_frame_start(hal::Time at, const radio::Frame& frame) {
     stations_.resize(frame.transmitter.value + std::size_t{1});
   Station& station = stations_[frame.transmitter.value];
   ContentPtr content = content_of(at, frame);
-  const Sent& before = station.sent[station.last];
-  station.last = (station.last + 1) % kRemembered;
-  Sent& sent = station.sent[station.last];
+  Sent& sent = station.place_for(frame);
+  const std::size_t size = station.sent.size();
+  const Sent& before = station.sent[(station.last + size - 1) % size];
   if (before.content == content) {
     sent.shares = before.shares;
   } else if (sent.content != content) {
     accounts_.open(*content, frame.transmitter, sent.shares);
   }
   sent.frame = frame.id;
+  sent.ampdu = frame.ampdu;
   sent.start = at;
+  sent.before = frame.airtime_before;
   sent.airtime = frame.airtime;
   sent.content = std::move(content);
   accounts_.add(*sent.content, {frame.transmitter, frame.retry, frame.air_length, frame.airtime},
                 sent.shares);
   count_second(at, sent, 1);
-  if (!frame.is_broadcast()) return on_attempt(frame, station.attempts);
-  on_group_frame(at, frame, sent);
-}
-
-void Ledger::on_attempt(const radio::Frame& frame, Attempts& attempts) {
-  const bool is_data = frame.type == radio::FrameType::kData;
-  if (!is_data && frame.type != radio::FrameType::kRts) return;
-  if (is_data && attempts.payload != frame.payload.get())
-    attempts = {.payload = frame.payload.get()};
-  attempts.last = frame.id;
-  attempts.at_receiver.reset();
+  if (frame.is_broadcast()) return on_group_frame(at, frame, sent);
+  if (frame.type == radio::FrameType::kRts) station.rts = {frame.id, frame.receiver};
+  if (frame.type != radio::FrameType::kData) return;
+  if (!frame.amsdu) return station.on_attempt(frame, frame.payload.get());
+  for (const radio::AmsduPart& msdu : *frame.amsdu) station.on_attempt(frame, msdu.payload.get());
 }
 
 void Ledger::on_group_frame(hal::Time at, const radio::Frame& frame, const Sent& sent) {
   const SampleLoss unnoticed =
       loss_of(hal::Verdict::kBelowSensitivity, frame.transmitter, frame.id);
-  for_samples(sent.content->place, [&](const DatagramPart& part) {
+  for_samples(*sent.content, [&](const DatagramPart& part) {
     samples_.on_group_frame(part, whom_of(frame), unnoticed, at + frame.airtime + kPropagation);
   });
 }
@@ -139,10 +160,15 @@ void Ledger::count_second(hal::Time at, const Sent& sent, int sign) {
 void Ledger::on_frame_cut(hal::Time at, const radio::Frame& frame) {
   Sent* const sent = find(frame);
   if (sent == nullptr) return;
-  count_second(sent->start, *sent, -1);
-  sent->airtime = at - sent->start;
-  accounts_.cut(*sent->content, sent->airtime, sent->shares);
-  count_second(sent->start, *sent, 1);
+  shorten(*sent, at);
+}
+
+/// The PPDU of a frame ends earlier than it was to.
+void Ledger::shorten(Sent& sent, hal::Time end) {
+  count_second(sent.start, sent, -1);
+  sent.airtime = std::clamp(end - sent.start - sent.before, hal::Duration{}, sent.airtime);
+  accounts_.cut(*sent.content, sent.airtime, sent.shares);
+  count_second(sent.start, sent, 1);
 }
 
 void Ledger::on_reception(hal::Time, const radio::Frame& frame, hal::AgentId receiver,
@@ -152,16 +178,9 @@ void Ledger::on_reception(hal::Time, const radio::Frame& frame, hal::AgentId rec
   const bool addressed = frame.is_broadcast() || frame.receiver == receiver;
   accounts_.add_end(*sent->content, sent->shares, receiver, addressed, verdict);
   if (!addressed) return;
-  if (!frame.is_broadcast()) return on_attempt_end(frame, verdict);
+  if (!frame.is_broadcast())
+    return stations_[frame.transmitter.value].on_attempt_end(frame, verdict);
   on_group_frame_end(frame, *sent, receiver, verdict);
-}
-
-void Ledger::on_attempt_end(const radio::Frame& frame, hal::Verdict verdict) {
-  Attempts& attempts = stations_[frame.transmitter.value].attempts;
-  if (attempts.last != frame.id) return;
-  attempts.at_receiver = verdict;
-  const bool is_data = frame.type == radio::FrameType::kData;
-  attempts.has_arrived |= is_data && verdict == hal::Verdict::kDelivered;
 }
 
 void Ledger::on_group_frame_end(const radio::Frame& frame, const Sent& sent, hal::AgentId receiver,
@@ -171,20 +190,17 @@ void Ledger::on_group_frame_end(const radio::Frame& frame, const Sent& sent, hal
   whom.destination = receiver;
   std::optional<SampleLoss> loss;
   if (verdict != hal::Verdict::kDelivered) loss = loss_of(verdict, frame.transmitter, frame.id);
-  for_samples(sent.content->place, [&](const DatagramPart& part) {
+  for_samples(*sent.content, [&](const DatagramPart& part) {
     samples_.on_group_frame_end(part, whom, frame.id, loss);
   });
 }
 
-/// Takes the transmissions of an MSDU that has ended; a MAC serves one at a time. Empty if the MSDU
-/// ended while another one was being served.
+/// Takes the transmissions of an MSDU that has ended.
 Ledger::Attempts Ledger::take_attempts(const radio::Msdu& msdu, const radio::MsduEnd& end) {
   if (msdu.station.value >= stations_.size() || !end.has_waited || end.went_over_wire) return {};
-  Attempts& attempts = stations_[msdu.station.value].attempts;
   const bool was_served =
       end.verdict == hal::Verdict::kDelivered || end.verdict == hal::Verdict::kRetryLimit;
-  if (!was_served && attempts.payload != msdu.request.payload.get()) return {};
-  return std::exchange(attempts, {});
+  return stations_[msdu.station.value].take(msdu.request.payload.get(), was_served);
 }
 
 void Ledger::on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::MsduEnd& end) {
@@ -192,20 +208,19 @@ void Ledger::on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::Msd
   if (end.verdict == hal::Verdict::kDelivered || attempts.has_arrived) return;
   if (!is_of_interface(msdu.request.ethertype)) return;
   hal::Verdict verdict = end.verdict;
-  if (verdict == hal::Verdict::kRetryLimit && attempts.last != 0) {
-    const hal::Verdict last = attempts.at_receiver.value_or(hal::Verdict::kBelowSensitivity);
+  if (verdict == hal::Verdict::kRetryLimit && attempts.last.frame != 0) {
+    const hal::Verdict last = attempts.last.verdict.value_or(hal::Verdict::kBelowSensitivity);
     // Otherwise the RTS was received, but not its CTS.
     if (last != hal::Verdict::kDelivered) verdict = last;
   }
-  const SampleLoss loss = loss_of(verdict, msdu.station, attempts.last);
+  const SampleLoss loss = loss_of(verdict, msdu.station, attempts.last.frame);
   Samples::Whom whom{.destination = msdu.request.destination};
   // An MSDU without a route ends before it is relayed.
   const bool is_passed_on = msdu.station != msdu.source && verdict != hal::Verdict::kNoRoute;
   if (is_passed_on) whom.access_point = msdu.station;
   const ContentPtr content =
       read(at, msdu.source, msdu.request.destination, msdu.request.payload, msdu.request.ethertype);
-  for_samples(content->place,
-              [&](const DatagramPart& part) { samples_.on_lost(part, whom, loss); });
+  for_samples(*content, [&](const DatagramPart& part) { samples_.on_lost(part, whom, loss); });
 }
 
 void Ledger::on_left(hal::Time at, hal::AgentId agent, const radio::MacIndication& indication) {
@@ -244,12 +259,13 @@ void Ledger::on_whole(hal::Time at, hal::AgentId agent, const Datagram& datagram
 
 void Ledger::finish(hal::Time now) {
   for (Station& station : stations_) {
-    Sent& sent = station.sent[station.last];
-    if (sent.frame == 0 || sent.start + sent.airtime <= now) continue;
-    count_second(sent.start, sent, -1);
-    sent.airtime = now - sent.start;
-    accounts_.cut(*sent.content, sent.airtime, sent.shares);
-    count_second(sent.start, sent, 1);
+    const std::uint64_t newest = station.sent[station.last].frame;
+    const std::uint32_t ampdu = station.sent[station.last].ampdu;
+    for (Sent& sent : station.sent) {
+      const bool is_of_last = sent.frame == newest || (ampdu != 0 && sent.ampdu == ampdu);
+      if (sent.frame == 0 || !is_of_last) continue;
+      if (sent.start + sent.before + sent.airtime > now) shorten(sent, now);
+    }
   }
   samples_.finish(now);
   if (on_second_ && !second_.airtime.empty()) on_second_(second_);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -76,24 +75,43 @@ class Ledger final : public radio::RadioObserver {
   /// this one may still be propagating.
   struct Sent {
     std::uint64_t frame = 0;
-    hal::Time start{};
-    hal::Duration airtime{};
+    std::uint32_t ampdu = 0;
+    hal::Time start{};        ///< Of its PPDU.
+    hal::Duration before{};   ///< Airtime of the MPDUs before it in its A-MPDU.
+    hal::Duration airtime{};  ///< Its own.
     ContentPtr content;
     AirAccounts::Shares shares;
   };
-  static constexpr std::size_t kRemembered = 8;
-  /// The transmissions so far of a unicast data frame.
+  /// A transmission with an answer.
+  struct Attempt {
+    std::uint64_t frame = 0;  ///< 0: none.
+    hal::AgentId receiver{};
+    /// At its receiver; nullopt: its radio did not detect it.
+    std::optional<hal::Verdict> verdict{};
+  };
+  /// The transmissions so far of a unicast MSDU.
   struct Attempts {
-    const hal::Bytes* payload = nullptr;  ///< Null: only RTS so far.
-    std::uint64_t last = 0;               ///< Last RTS or data frame; 0: none.
-    /// Verdict of `last` at its receiver; nullopt: its radio did not detect it.
-    std::optional<hal::Verdict> at_receiver{};
+    const hal::Bytes* payload = nullptr;
+    Attempt last{};
     bool has_arrived = false;  ///< A transmission was received.
   };
+  static constexpr std::size_t kRemembered = 8;
+  /// Number of unfinished MSDUs that a station can have; only invalid data can cause more.
+  static constexpr std::size_t kMostUnfinished = 1U << 16U;
   struct Station {
-    std::array<Sent, kRemembered> sent;
+    /// A ring, which grows until it has room for the MPDUs of two A-MPDUs.
+    std::vector<Sent> sent = std::vector<Sent>(kRemembered);
     std::size_t last = 0;
-    Attempts attempts;
+    std::vector<Attempts> unfinished;  ///< MSDUs that were sent, in the order of their first time.
+    std::size_t next_end = 0;          ///< Index of the one that may end next on the air.
+    Attempt rts;                       ///< The last one.
+
+    Sent& place_for(const radio::Frame& frame);
+    Sent* find(std::uint64_t frame);
+    void on_attempt(const radio::Frame& frame, const hal::Bytes* payload);
+    void on_attempt_end(const radio::Frame& frame, hal::Verdict verdict);
+    /// Removes what is known of an MSDU that has ended. @param was_served  it was its turn.
+    Attempts take(const hal::Bytes* payload, bool was_served);
   };
   /// A fragmented datagram at one receiver.
   struct Arriving {
@@ -103,11 +121,12 @@ class Ledger final : public radio::RadioObserver {
   };
 
   ContentPtr content_of(hal::Time at, const radio::Frame& frame);
+  ContentPtr content_of(hal::Time at, const radio::AmsduPart& msdu);
+  ContentPtr content_of_amsdu(hal::Time at, const std::vector<radio::AmsduPart>& msdus);
   ContentPtr read(hal::Time at, hal::AgentId source, hal::AgentId destination,
                   const radio::Payload& payload, radio::Ethertype type);
   Sent* find(const radio::Frame& frame);
-  void on_attempt(const radio::Frame& frame, Attempts& attempts);
-  void on_attempt_end(const radio::Frame& frame, hal::Verdict verdict);
+  void shorten(Sent& sent, hal::Time end);
   void on_group_frame(hal::Time at, const radio::Frame& frame, const Sent& sent);
   void on_group_frame_end(const radio::Frame& frame, const Sent& sent, hal::AgentId receiver,
                           hal::Verdict verdict);

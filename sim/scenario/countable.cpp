@@ -28,14 +28,22 @@ bool has_access_points(const agents::SimulationConfig& config) {
          });
 }
 
+/// Whether stations may agree on Block Ack, by action frames.
+bool has_block_ack(const agents::SimulationConfig& config) {
+  const radio::DcfConfig* const dcf = radio::dcf_of(config.radio);
+  return dcf != nullptr && dcf->qos && dcf->aggregation.block_ack_window > 0;
+}
+
 std::vector<radio::FrameClass> frame_classes(const agents::SimulationConfig& config) {
   std::vector<radio::FrameClass> classes = {radio::FrameClass::kBroadcast,
                                             radio::FrameClass::kUnicast};
   if (radio::waves_of(config.radio) == nullptr) return classes;
   classes.insert(classes.end(),
                  {radio::FrameClass::kRts, radio::FrameClass::kCts, radio::FrameClass::kAck});
-  if (!has_access_points(config)) return classes;
-  classes.insert(classes.end(), {radio::FrameClass::kBeacon, radio::FrameClass::kManagement});
+  const bool has_bss = has_access_points(config), has_actions = has_block_ack(config);
+  if (has_bss) classes.push_back(radio::FrameClass::kBeacon);
+  if (has_bss || has_actions) classes.push_back(radio::FrameClass::kManagement);
+  if (has_actions) classes.push_back(radio::FrameClass::kBlockAck);
   return classes;
 }
 

@@ -33,36 +33,32 @@ std::vector<std::string_view> verdict_names() {
 }
 
 struct ListedFrame {
-  std::int64_t id, at, transmitter, receiver, sequence, retry, bits, airtime;
+  std::int64_t id, at, transmitter, receiver, sequence, retry, bits;
+  std::int64_t airtime;  ///< Of its PPDU.
   std::string kind;
   std::optional<std::int64_t> nav, rate, sender, message;
   std::optional<std::string> packet;
+  std::int64_t ampdu, msdus;
+  std::optional<std::string> mode, category, block_ack;  ///< mode: of an MCS
   JsonArray ends;
 };
 
 std::vector<ListedFrame> frames_in(Record& record, const Rows& rows) {
   Statement row = record.query(
-      "SELECT frame, at_ns, transmitter, receiver, sequence, retry, bits, airtime_ns, class, "
-      "duration_ns, rate_bps, sender, message, packet FROM frames WHERE rowid >= ? AND rowid < ? "
+      "SELECT frame, at_ns, transmitter, receiver, sequence, retry, bits, ppdu_ns, class, "
+      "duration_ns, rate_bps, sender, message, packet, ampdu, msdus, "
+      "modulation || ' MCS ' || mcs || ', ' || streams || ' x ' || width_mhz || ' MHz, ' || "
+      "guard_ns || ' ns', category, block_ack FROM frames WHERE rowid >= ? AND rowid < ? "
       "ORDER BY at_ns, transmitter, rowid");
   row.bind_all(rows.begin, rows.end);
   std::vector<ListedFrame> frames;
   while (row.next()) {
-    frames.push_back({row.integer(0),
-                      row.integer(1),
-                      row.integer(2),
-                      row.integer(3),
-                      row.integer(4),
-                      row.integer(5),
-                      row.integer(6),
-                      row.integer(7),
-                      row.text(8),
-                      integer_at(row, 9),
-                      integer_at(row, 10),
-                      integer_at(row, 11),
-                      integer_at(row, 12),
-                      text_at(row, 13),
-                      {}});
+    frames.push_back(
+        {row.integer(0),      row.integer(1),     row.integer(2),      row.integer(3),
+         row.integer(4),      row.integer(5),     row.integer(6),      row.integer(7),
+         row.text(8),         integer_at(row, 9), integer_at(row, 10), integer_at(row, 11),
+         integer_at(row, 12), text_at(row, 13),   row.integer(14),     row.integer(15),
+         text_at(row, 16),    text_at(row, 17),   text_at(row, 18),    {}});
   }
   return frames;
 }
@@ -115,8 +111,9 @@ Json frame_bins_json(const FrameBins& bins) {
 }  // namespace
 
 std::string frames_tile(Record& record, FrameDensity& density, const Span& span) {
-  Columns columns({"transmitter", "number", "at", "class", "receiver", "sequence", "retry", "bits",
-                   "airtime", "nav", "rate", "sender", "message", "packet", "ends"});
+  Columns columns({"transmitter", "number",  "at",   "class",    "receiver",  "sequence", "retry",
+                   "bits",        "airtime", "nav",  "rate",     "sender",    "message",  "packet",
+                   "ampdu",       "msdus",   "mode", "category", "block_ack", "ends"});
   const Json verdicts = json_array(verdict_names());
   const Rows rows = rows_in(record, "frames", span);
   const bool is_full =
@@ -131,7 +128,8 @@ std::string frames_tile(Record& record, FrameDensity& density, const Span& span)
   for (const ListedFrame& frame : frames) {
     columns.add(frame.transmitter, frame.id & kCountOfFrame, frame.at, frame.kind, frame.receiver,
                 frame.sequence, frame.retry, frame.bits, frame.airtime, frame.nav, frame.rate,
-                frame.sender, frame.message, frame.packet, frame.ends.json());
+                frame.sender, frame.message, frame.packet, frame.ampdu, frame.msdus, frame.mode,
+                frame.category, frame.block_ack, frame.ends.json());
   }
   return tile_text(record, span, true, columns, {{"verdicts", verdicts}});
 }

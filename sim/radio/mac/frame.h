@@ -51,10 +51,14 @@ struct Frame {
   /// Number of its A-MPDU among those of the transmitter, from 1 on; 0: not in an A-MPDU.
   std::uint32_t ampdu = 0;
   bool is_last_of_ampdu = false;
+  /// In an A-MPDU: sum of the airtimes of the MPDUs before it, and of all.
+  hal::Duration airtime_before{}, airtime_of_all{};
   std::shared_ptr<const BlockAckFields> block_ack{};  ///< BlockAck and BlockAckReq.
-  /// A-MSDU: its MSDUs, in place of payload, ethertype and tag.
+  /// A-MSDU: its MSDUs; payload, ethertype and tag are those of the first.
   std::shared_ptr<const std::vector<AmsduPart>> amsdu{};
 
+  /// Airtime of its PPDU.
+  hal::Duration ppdu_airtime() const { return ampdu == 0 ? airtime : airtime_of_all; }
   bool is_broadcast() const { return receiver == hal::kEveryone; }
   /// Data: original source and final destination, whatever access points lie between.
   hal::AgentId source() const { return ds == Ds::kFrom ? address3 : transmitter; }

@@ -17,8 +17,9 @@ enum class FrameClass : std::uint8_t {
   kUnicast,
   kBeacon,
   kManagement,
+  kBlockAck,  ///< BlockAck and BlockAckReq.
 };
-inline constexpr int kFrameClasses = 7;
+inline constexpr int kFrameClasses = 8;
 
 inline FrameClass frame_class(const Frame& frame) {
   switch (frame.type) {
@@ -30,6 +31,9 @@ inline FrameClass frame_class(const Frame& frame) {
       return FrameClass::kAck;
     case FrameType::kBeacon:
       return FrameClass::kBeacon;
+    case FrameType::kBlockAckRequest:
+    case FrameType::kBlockAck:
+      return FrameClass::kBlockAck;
     default:
       break;
   }
@@ -53,6 +57,8 @@ constexpr std::string_view name(FrameClass kind) {
       return "beacon";
     case FrameClass::kManagement:
       return "management";
+    case FrameClass::kBlockAck:
+      return "block_ack";
   }
   return {};
 }

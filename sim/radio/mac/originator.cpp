@@ -255,6 +255,8 @@ PpduPtr Originator::make_mpdus(const Exchange& exchange, hal::Duration after, ha
     frame->ampdu = ampdus_;
     frame->is_last_of_ampdu = i + 1 == exchange.mpdus;
     frame->airtime = (frame->is_last_of_ampdu ? ppdu->airtime : sent_until(bits)) - sent;
+    frame->airtime_before = sent;
+    frame->airtime_of_all = ppdu->airtime;
     sent += frame->airtime;
     ppdu->parts.push_back({std::move(frame), begin, bits});
   }

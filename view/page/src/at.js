@@ -250,6 +250,15 @@ export function findFrame(pieces, transmitter, number) {
   return found;
 }
 
+/** How many frames the A-MPDU of a frame has; they begin at one time. */
+export function mpdusOf(pieces, frame) {
+  let count = 0;
+  eachRow(pieces, frame.at, frame.at, (columns, row) => {
+    if (columns.transmitter[row] === frame.transmitter && columns.ampdu[row] === frame.ampdu) count++;
+  });
+  return count;
+}
+
 /** The frames that are in the air at t. */
 export function framesAt(pieces, t) {
   const frames = [];

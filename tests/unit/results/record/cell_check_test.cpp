@@ -104,7 +104,7 @@ TEST(CellCheck, NamesFileTableRowColumnAndValue) {
       "when the run ended");
   EXPECT_EQ(forged.complaint("SELECT class FROM frames_sent"),
             ": table frames_sent, row 1, 65535, x: class is 'x', not one of 'rts', 'cts', 'ack', "
-            "'broadcast', 'unicast', 'beacon', 'management'");
+            "'broadcast', 'unicast', 'beacon', 'management', 'block_ack'");
   EXPECT_EQ(forged.complaint("SELECT path_m FROM bodies"),
             ": table bodies, row 1: path_m is Inf, not a number from -1e+12 to 1e+12");
 }

@@ -34,9 +34,11 @@ struct TinyRun {
         "INSERT INTO agents VALUES (1, 'm0', 'mote', '', 0, 0, 0), (2, 'm1', 'mote', '', 1, 0, 0);"
         "INSERT INTO arrivals VALUES (5, 'air of m0', '{3}');"
         "INSERT INTO frames VALUES (281474976710657, 10, 'unicast', 1, 2, 7, 0, 800, 100000, 300, "
-        "11000000, NULL, NULL, NULL, 'IPv4 UDP 40000 > 5000', 77), "
+        "11000000, NULL, NULL, NULL, 'IPv4 UDP 40000 > 5000', 77, "
+        "0, 100000, 'DSSS', NULL, NULL, NULL, NULL, NULL, NULL, 1, NULL), "
         "(281474976710658, 2000000010, 'unicast', 1, 2, 8, 0, 800, 100000, 300, 11000000, NULL, "
-        "NULL, NULL, 'IPv4 UDP 40000 > 5000', 78);"
+        "NULL, NULL, 'IPv4 UDP 40000 > 5000', 78, "
+        "0, 100000, 'DSSS', NULL, NULL, NULL, NULL, NULL, NULL, 1, NULL);"
         "INSERT INTO frame_ends VALUES (281474976710657, 2, 100010, 'delivered', -60.5, 12), "
         "(281474976710658, 2, 2000100010, 'delivered', -60.5, 12);"
         "INSERT INTO fingerprints VALUES (0, 'air', 1, 5), (2, 'air', 1, 6);{4}",

@@ -19,7 +19,7 @@ std::string suffix_of(std::string_view unit) {
   static const std::map<std::string_view, std::string> suffixes = {
       {"m", "_m"},     {"rad", "_rad"},   {"ns", "_ns"},     {"s", "_s"},
       {"dBm", "_dbm"}, {"bit", "bits"},   {"byte", "bytes"}, {"J", "_j"},
-      {"dB", "_db"},   {"bit/s", "_bps"}, {"", ""}};
+      {"dB", "_db"},   {"bit/s", "_bps"}, {"MHz", "_mhz"},   {"", ""}};
   return suffixes.at(unit);
 }
 

@@ -75,6 +75,12 @@ test("A frame is in the air from its begin until its end, which is no more in it
   assert.equal(at.framesAt(pieces, 1500).length, 0);
 });
 
+test("An A-MPDU has the frames of its number that one transmitter began at one time", () => {
+  const tile = tileOf(0, second, { transmitter: [1, 1, 2, 1], at: [1000, 1000, 1000, 5000], ampdu: [4, 4, 4, 5] });
+  assert.equal(at.mpdusOf([piece(tile)], { at: 1000, transmitter: 1, ampdu: 4 }), 2);
+  assert.equal(at.mpdusOf([piece(tile)], { at: 5000, transmitter: 1, ampdu: 5 }), 1);
+});
+
 test("The NAV follows frames to others that came whole, not one's own and not lost ones", () => {
   const pieces = frames([
     [1, 1, 1000, "rts", 2, 100, 900, null, null, 0, [[2, 1110, 0], [3, 1110, 0], [4, 1110, 1]]],

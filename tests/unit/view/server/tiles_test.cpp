@@ -110,7 +110,8 @@ TEST_F(Tiles, TooManyFramesAreCountedByClassWithTheirLosses) {
   result.execute(
       "WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 9999)"
       " INSERT INTO frames SELECT (1 << 48) + i, i * 10000000, CASE i % 4 WHEN 0 THEN 'rts' ELSE "
-      "'unicast' END, 1, 2, i, 0, 100, 1000000, 0, NULL, NULL, NULL, NULL, NULL, NULL FROM n;"
+      "'unicast' END, 1, 2, i, 0, 100, 1000000, 0, NULL, NULL, NULL, NULL, NULL, NULL"
+      ", 0, 1000000, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 1, NULL FROM n;"
       "INSERT INTO frame_ends SELECT frame, a.agent, at_ns + 1000000, CASE WHEN a.agent = 3 OR "
       "sequence % 10 = 0 THEN 'noise' ELSE 'delivered' END, -80, 3 FROM frames, agents a WHERE "
       "a.agent > 1");
@@ -222,7 +223,8 @@ TEST_F(Tiles, WhatIsKeptGrowsWithTheRowsNotWithTheTimes) {
       "INSERT INTO queues VALUES (1, 0, 2), (2, 9999999999999999, 1), (1, 9999999999999999, 0);"
       "WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 23999)"
       " INSERT INTO frames SELECT (1 << 48) + i, i * 416666666666, 'ack', 1, 2, i, 0, 100,"
-      " 1000000, 0, NULL, NULL, NULL, NULL, NULL, NULL FROM n;"
+      " 1000000, 0, NULL, NULL, NULL, NULL, NULL, NULL"
+      ", 0, 1000000, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 1, NULL FROM n;"
       "INSERT INTO frame_ends SELECT frame, 2, at_ns, 'noise', -80, 3 FROM frames");
   [[maybe_unused]] const long before = most_memory();
   EXPECT_EQ(columns("queues/17/4")["frames"], json({2, 0, 1}));

@@ -13,9 +13,9 @@ const light = 0.299792458; //     m/ns
 const most = 400; //              frames drawn at once: the latest
 const longest = 60e6; //          ns: no frame is in the air longer than this
 
-const dashes = { rts: [7, 3], cts: [2, 3], ack: [1, 2], unicast: [], broadcast: [], beacon: [3, 3], management: [3, 3] };
-const widths = { rts: 1.75, cts: 1.75, ack: 1.75, unicast: 3, broadcast: 1.5, beacon: 1.25, management: 1.25 };
-const names = { rts: "RTS", cts: "CTS", ack: "ACK", unicast: "data", broadcast: "broadcast", beacon: "beacon", management: "mgmt" };
+const dashes = { rts: [7, 3], cts: [2, 3], ack: [1, 2], unicast: [], broadcast: [], beacon: [3, 3], management: [3, 3], block_ack: [1, 2] };
+const widths = { rts: 1.75, cts: 1.75, ack: 1.75, unicast: 3, broadcast: 1.5, beacon: 1.25, management: 1.25, block_ack: 1.75 };
+const names = { rts: "RTS", cts: "CTS", ack: "ACK", unicast: "data", broadcast: "broadcast", beacon: "beacon", management: "mgmt", block_ack: "block ack" };
 
 export function createFrames(run, slots) {
   const agents = run.world.agents;

@@ -1,5 +1,5 @@
 // One frame with how it ended at every radio.
-import { findFrame } from "../at.js";
+import { findFrame, mpdusOf } from "../at.js";
 import { verdictColour } from "../colours.js";
 import { exact, spanExact } from "../time/scale.js";
 import { facts, fixed, link, list, nameOf, number, part } from "./parts.js";
@@ -19,6 +19,9 @@ export function showFrame(parent, run, store) {
     ["from", link(nameOf(run, frame.transmitter), () => store.set({ chosen: { kind: "agent", run: run.index, agent: frame.transmitter } }))],
     ["to", nameOf(run, frame.receiver)], ["begins", `${exact(frame.at)} s`], ["on the air", spanExact(frame.airtime)],
     ["length", `${frame.bits} bit`], ["rate", frame.rate && `${number(frame.rate / 1e6)} Mb/s`],
+    ["mode", frame.mode], ["category", frame.category],
+    ["A-MPDU", frame.ampdu ? `${frame.ampdu}, of ${mpdusOf(run.rows("frames", frame.at, frame.at + 1), frame)} MPDUs` : null],
+    ["A-MSDU of", frame.msdus > 1 ? `${frame.msdus} MSDUs` : null], ["Block Ack", frame.block_ack],
     ["Duration field", frame.nav === null ? null : spanExact(frame.nav)], ["sequence", `${frame.sequence}${frame.retry ? ", sent before" : ""}`],
     ["number", frame.number],
   ]);

@@ -5,8 +5,8 @@ import { createDensity, drawDensity } from "./density.js";
 import { span } from "./scale.js";
 
 // Told apart by height too, not by colour alone.
-const heights = { rts: 0.75, cts: 0.75, ack: 0.6 };
-const classColours = { rts: "sensed", cts: "sensed", ack: "muted", broadcast: "accent", unicast: "followed", beacon: "muted", management: "muted" };
+const heights = { rts: 0.75, cts: 0.75, ack: 0.6, block_ack: 0.6 };
+const classColours = { rts: "sensed", cts: "sensed", ack: "muted", broadcast: "accent", unicast: "followed", beacon: "muted", management: "muted", block_ack: "muted" };
 export const frameColour = (name) => colour(classColours[name] ?? "muted");
 
 /** The verdict that counts for a frame as a whole: at the radio that it was for; of a broadcast the worst. */

@@ -28,6 +28,7 @@ struct Packet {
   radio::Ethertype type = 0;
   radio::GroupAddress group = 0;
   radio::Payload payload{};
+  std::uint8_t priority = 0;
 };
 
 /// The last two octets of a MAC address are the agent's, see captures/README.md.
@@ -116,6 +117,7 @@ class Replay {
       events.schedule(hal::Time{} + packet.at, Rank::kScenario, kWorld, [this, kept] {
         const radio::MacRequest request{.destination = kept->destination,
                                         .ethertype = kept->type,
+                                        .priority = kept->priority,
                                         .payload = kept->payload,
                                         .tag = ++tag_,
                                         .group = kept->group};

@@ -30,7 +30,8 @@ INSTANTIATE_TEST_SUITE_P(Of, Captured,
 TEST_P(Captured, SumsAreTheRadiosInEveryProfile) {
   for (const auto profile :
        {radio::Profile::kMobilityFramework, radio::Profile::kIeee80211b,
-        radio::Profile::kIeee80211g, radio::Profile::kDisk, radio::Profile::kIdeal}) {
+        radio::Profile::kIeee80211g, radio::Profile::kIeee80211n, radio::Profile::kIeee80211ac,
+        radio::Profile::kIeee80211ax, radio::Profile::kDisk, radio::Profile::kIdeal}) {
     SCOPED_TRACE(static_cast<int>(profile));
     Replay replay(radio::profile_defaults(profile));
     if (auto* const waves = radio::waves_of(replay.config.radio))
