@@ -51,6 +51,9 @@ struct Frame {
   /// Number of its A-MPDU among those of the transmitter, from 1 on; 0: not in an A-MPDU.
   std::uint32_t ampdu = 0;
   bool is_last_of_ampdu = false;
+  /// ACK and BlockAck: the lowest SINR that their transmitter had over the PPDU which they answer.
+  /// Not part of the frame: only the rate control `ideal` may know it.
+  hal::Decibels answered_snr{};
   std::shared_ptr<const BlockAckFields> block_ack{};  ///< BlockAck and BlockAckReq.
   /// A-MSDU: its MSDUs, in place of payload, ethertype and tag.
   std::shared_ptr<const std::vector<AmsduPart>> amsdu{};

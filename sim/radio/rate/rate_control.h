@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "hal/types/agent_id.h"
+#include "hal/types/quantity.h"
 #include "hal/types/random.h"
 #include "hal/types/time.h"
 #include "sim/radio/phy/phy_mode.h"
@@ -31,8 +32,15 @@ class RateControl {
     on_result(to, received > 0);
   }
 
+  /// Reports the SINR that the receiver had during the PPDU which it has answered, before
+  /// on_result() or on_aggregate(). @param snr  the lowest over the PPDU, in its `width`, MHz.
+  virtual void on_answer(hal::AgentId to, hal::Decibels snr, std::uint16_t width) {
+    (void)to, (void)snr, (void)width;
+  }
+
  protected:
   const Ladder& ladder(hal::AgentId to) const { return ladders_.to(to); }
+  const std::vector<Ladder>& groups(hal::AgentId to) const { return ladders_.groups_to(to); }
 
  private:
   const RateLadders& ladders_;
