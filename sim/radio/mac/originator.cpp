@@ -132,7 +132,7 @@ std::optional<Exchange> Originator::next(ContentionFunction number, hal::Time no
   Function& function = functions_[number];
   if (!function.streams.empty()) {
     MpduStream& stream = *function.streams.front();
-    if (stream.must_ask) return request_exchange(number, stream);
+    if (stream.must_ask) return request_exchange(number, stream, now);
     return stream_exchange(number, stream, now, budget);
   }
   discard_expired(function, now, ended);
@@ -195,8 +195,9 @@ std::optional<Exchange> Originator::stream_exchange(ContentionFunction number, M
   return exchange;
 }
 
-Exchange Originator::request_exchange(ContentionFunction number, MpduStream& stream) {
-  const PhyMode& mode = modes_.response_to(modes_.data());
+Exchange Originator::request_exchange(ContentionFunction number, MpduStream& stream,
+                                      hal::Time now) {
+  const PhyMode& mode = modes_.response_to(rates_->reliable_mode(stream.to, now));
   return {.kind = Exchange::Kind::kBlockAckRequest,
           .function = number,
           .to = stream.to,

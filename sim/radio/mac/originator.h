@@ -114,7 +114,7 @@ class Originator {
   hal::Duration response_airtime(const Exchange& exchange) const;
   std::optional<Exchange> stream_exchange(ContentionFunction function, MpduStream& stream,
                                           hal::Time now, const Budget& budget);
-  Exchange request_exchange(ContentionFunction function, MpduStream& stream);
+  Exchange request_exchange(ContentionFunction function, MpduStream& stream, hal::Time now);
   PpduPtr make_head(const Exchange& exchange, hal::Duration after, hal::Time now);
   PpduPtr make_mpdus(const Exchange& exchange, hal::Duration after, hal::Time now);
   std::shared_ptr<Frame> make_mpdu(const Exchange& exchange, Mpdu& mpdu, hal::Duration after,

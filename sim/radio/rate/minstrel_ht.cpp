@@ -181,6 +181,12 @@ const PhyMode& MinstrelHt::mode(hal::AgentId to, std::uint32_t attempt, hal::Tim
   return *one.rates[one.used].rung->mode;
 }
 
+const PhyMode& MinstrelHt::reliable_mode(hal::AgentId to, hal::Time now) {
+  if (groups(to).empty()) return legacy_.reliable_mode(to, now);
+  const Link& one = link(to, now);
+  return *one.rates[one.most_reliable].rung->mode;
+}
+
 void MinstrelHt::on_result(hal::AgentId to, bool is_success) {
   const auto found = links_.find(to);
   if (found == links_.end()) return legacy_.on_result(to, is_success);

@@ -33,6 +33,7 @@ class MinstrelHt final : public RateControl {
       : RateControl(ladders), config_(config), random_(random), legacy_(config, ladders, random) {}
 
   const PhyMode& mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) override;
+  const PhyMode& reliable_mode(hal::AgentId to, hal::Time now) override;
   void on_result(hal::AgentId to, bool is_success) override;
   void on_aggregate(hal::AgentId to, std::uint32_t received, std::uint32_t sent) override;
 

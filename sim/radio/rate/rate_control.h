@@ -24,6 +24,9 @@ class RateControl {
   /// never.
   /// @param attempt  number of earlier attempts to send this frame.
   virtual const PhyMode& mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) = 0;
+  /// Mode of data that is likely to arrive. A BlockAckReq, which asks after a failure, is sent like
+  /// the answer to such a frame.
+  virtual const PhyMode& reliable_mode(hal::AgentId to, hal::Time now) { return mode(to, 0, now); }
   /// Reports whether the ACK was received.
   virtual void on_result(hal::AgentId to, bool is_success) = 0;
   /// Reports how many MPDUs of an A-MPDU were received, in place of on_result().

@@ -13,6 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+/// What GoogleTest prints of it is a name.
 struct RatedLink {
   PeerRow row;
   double least = 1e9, sum = 0, most = 0;  ///< Mb/s, of the peer's seeds.
@@ -46,6 +47,7 @@ RadioConfig rated_config(const PeerRow& row) {
   RadioConfig config =
       profile_defaults(row.at("phy") == "n" ? Profile::kIeee80211n : Profile::kIeee80211ac);
   HtConfig& ht = *ht_of(config);
+  ht.propagation.chain = {LogDistanceConfig{}};
   ht.bits_at_risk = BitsAtRisk::kPayloadTime;
   ht.mcs.times = PpduTimes::kNs3;
   ht.receiver.energy_detection = hal::Dbm{-62};
