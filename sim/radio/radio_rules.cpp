@@ -105,6 +105,7 @@ void ask_rate_control(Rules& rules, const RateControlConfig& c) {
             "must be 0 or more and below 1");
   rules.ask(c.minstrel_sampling >= 0 && c.minstrel_sampling <= 1, "minstrel_sampling",
             "must be 0 .. 1");
+  rules.ask(c.ideal_loss > 0 && c.ideal_loss < 1, "ideal_loss", "must be above 0 and below 1");
 }
 
 void ask_dcf(Rules& rules, Standard rates, const DcfConfig& c) {

@@ -10,7 +10,9 @@ namespace sim::scenario {
 inline constexpr std::array kRateControls = {
     Option<radio::RateControlKind>{"fixed", radio::RateControlKind::kFixed},
     Option<radio::RateControlKind>{"aarf", radio::RateControlKind::kAarf},
-    Option<radio::RateControlKind>{"minstrel", radio::RateControlKind::kMinstrel}};
+    Option<radio::RateControlKind>{"minstrel", radio::RateControlKind::kMinstrel},
+    Option<radio::RateControlKind>{"minstrel_ht", radio::RateControlKind::kMinstrelHt},
+    Option<radio::RateControlKind>{"ideal", radio::RateControlKind::kIdeal}};
 inline constexpr std::array kEifsStarts = {
     Option<radio::EifsStart>{"medium_idle", radio::EifsStart::kMediumIdle},
     Option<radio::EifsStart>{"frame_end", radio::EifsStart::kFrameEnd}};
@@ -27,8 +29,10 @@ inline void keys_of(Fields& io, radio::RateControlConfig& c) {
   constexpr Range kShare{0, 1};
   io.choice({"rate_control",
              "Rate of unicast data frames to each destination. fixed: always `data_rate`; aarf: "
-             "adaptive auto rate fallback; minstrel: chosen by the measured success of each rate. "
-             "aarf and minstrel use rates up to `data_rate`.",
+             "adaptive auto rate fallback; minstrel: chosen by the measured success of each rate; "
+             "minstrel_ht: the same for modes with MCSs, of every width and guard interval; ideal: "
+             "the fastest that the SINR at the receiver allows, as if the sender knew it. All use "
+             "rates up to `data_rate`, or MCSs up to `mcs`.",
              "minstrel"},
             kRateControls, c.kind);
   io.count({"aarf_threshold",
@@ -45,14 +49,26 @@ inline void keys_of(Fields& io, radio::RateControlConfig& c) {
             "15"},
            1, 1'000'000, c.aarf_timeout);
   io.duration({"minstrel_interval",
-               "With `minstrel`: time between two evaluations of the statistics.", "100 ms"},
+               "With `minstrel` and `minstrel_ht`: time between two evaluations of the statistics.",
+               "100 ms"},
               {1e-3, 1e3}, c.minstrel_interval);
-  io.number({"minstrel_past", "With `minstrel`: weight of earlier intervals in the running mean.",
+  io.number({"minstrel_past",
+             "With `minstrel` and `minstrel_ht`: weight of earlier intervals in the running mean.",
              "0.75"},
             "1", {0, 0.999}, c.minstrel_past);
   io.number(
       {"minstrel_sampling", "With `minstrel`: share of frames that probe another rate.", "0.1"},
       "1", kShare, c.minstrel_sampling);
+  io.count({"minstrel_ht_wait",
+            "With `minstrel_ht`: number of PPDUs between two that probe another mode, to which "
+            "twice the mean number of MPDUs in a PPDU is added.",
+            "16"},
+           0, 1'000'000, c.minstrel_ht_wait);
+  io.number({"ideal_loss",
+             "With `ideal`: largest share of frames that the chosen mode may lose, of frames with "
+             "1200 bytes.",
+             "0.01"},
+            "1", {1e-9, 0.999}, c.ideal_loss);
 }
 
 inline void dcf_keys(Fields& io, radio::DcfConfig& c, DataKey data) {

@@ -199,9 +199,11 @@ inline void keys_of(Fields& io, radio::ContentionConfig& c) {
            0, kMaxWindow, c.cw_min);
   io.count({"cw_max", "Largest contention window in slots, one less than a power of two.", "1023"},
            0, kMaxWindow, c.cw_max);
-  io.count({"rts_threshold",
-            "Length of a unicast frame (MPDU) in bytes above which RTS/CTS precedes it.", "2347"},
-           0, 1'000'000, c.rts_threshold);
+  io.count(
+      {"rts_threshold",
+       "Length of a unicast PSDU (a frame, or an A-MPDU) in bytes above which RTS/CTS precedes it.",
+       "2347"},
+      0, 10'000'000, c.rts_threshold);
   io.count({"short_retry_limit",
             "Transmissions of a frame without RTS/CTS, or of an RTS, in total, before the frame is "
             "given up.",

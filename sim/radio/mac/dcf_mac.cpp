@@ -153,7 +153,10 @@ void DcfMac::on_receive(const ReceivedPpdu& received) {
   const bool is_answer = sequence_.is_answer(frame);
   if (!is_answer) sequence_.on_wrong_answer();
   if (frame.receiver == agent()) {
-    if (is_answer) return sequence_.on_answer(frame);
+    if (is_answer) {
+      if (frame.type != FrameType::kCts) originator_.on_answer(sequence_.exchange(), frame);
+      return sequence_.on_answer(frame);
+    }
     on_unicast(received);
   } else if (frame.is_broadcast()) {
     hand_up(frame, received.rssi, received.snr);

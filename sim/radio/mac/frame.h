@@ -53,6 +53,9 @@ struct Frame {
   bool is_last_of_ampdu = false;
   /// In an A-MPDU: sum of the airtimes of the MPDUs before it, and of all.
   hal::Duration airtime_before{}, airtime_of_all{};
+  /// ACK and BlockAck: the lowest SINR that their transmitter had over the PPDU which they answer.
+  /// Not part of the frame: only the rate control `ideal` may know it.
+  hal::Decibels answered_snr{};
   std::shared_ptr<const BlockAckFields> block_ack{};  ///< BlockAck and BlockAckReq.
   /// A-MSDU: its MSDUs; payload, ethertype and tag are those of the first.
   std::shared_ptr<const std::vector<AmsduPart>> amsdu{};

@@ -28,8 +28,8 @@ void FrameFactory::send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame
   frame.airtime = mode.airtime(bits);
 }
 
-FramePtr FrameFactory::control(FrameType type, const PhyMode& mode, hal::AgentId to,
-                               hal::Duration duration) {
+std::shared_ptr<Frame> FrameFactory::control(FrameType type, const PhyMode& mode, hal::AgentId to,
+                                             hal::Duration duration) {
   auto frame = blank(type, to);
   frame->duration = duration;
   send_in(mode, mpdu_bits(lengths_, type), *frame);
@@ -57,8 +57,9 @@ FramePtr FrameFactory::block_ack_request(hal::AgentId to, const BlockAckFields& 
   return frame;
 }
 
-FramePtr FrameFactory::block_ack(const Frame& to, const BlockAckFields& fields) {
+FramePtr FrameFactory::block_ack(const Frame& to, const BlockAckFields& fields, hal::Decibels snr) {
   auto frame = blank(FrameType::kBlockAck, to.transmitter);
+  frame->answered_snr = snr;
   frame->block_ack = std::make_shared<const BlockAckFields>(fields);
   send_in(modes_.response_to(*to.mode), block_ack_bits(fields.length), *frame);
   return frame;
@@ -70,8 +71,10 @@ FramePtr FrameFactory::cts(const Frame& rts, hal::Duration sifs) {
                  std::max(hal::Duration{}, rts.duration - spent));
 }
 
-FramePtr FrameFactory::ack(const Frame& data) {
-  return control(FrameType::kAck, modes_.response_to(*data.mode), data.transmitter, {});
+FramePtr FrameFactory::ack(const Frame& data, hal::Decibels snr) {
+  auto frame = control(FrameType::kAck, modes_.response_to(*data.mode), data.transmitter, {});
+  frame->answered_snr = snr;
+  return frame;
 }
 
 std::shared_ptr<Frame> FrameFactory::data(const MacRequest& request, const DataOptions& options) {

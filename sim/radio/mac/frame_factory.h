@@ -34,12 +34,12 @@ class FrameFactory {
   /// @param duration  of the rest of the exchange after the BlockAckReq.
   FramePtr block_ack_request(hal::AgentId to, const BlockAckFields& fields, hal::Duration duration,
                              const PhyMode& mode);
-  /// Answers a BlockAckReq or an A-MPDU.
-  FramePtr block_ack(const Frame& to, const BlockAckFields& fields);
+  /// Answers a BlockAckReq or an A-MPDU. @param snr  Frame::answered_snr.
+  FramePtr block_ack(const Frame& to, const BlockAckFields& fields, hal::Decibels snr = {});
   /// Make the responses to an RTS and to a data frame. The duration of the CTS is that of the RTS
-  /// without CTS and SIFS.
+  /// without CTS and SIFS. @param snr  Frame::answered_snr.
   FramePtr cts(const Frame& rts, hal::Duration sifs);
-  FramePtr ack(const Frame& data);
+  FramePtr ack(const Frame& data, hal::Decibels snr = {});
 
   const PhyMode& data_mode(const MacRequest& request) const;
   hal::Duration data_airtime(const MacRequest& request) const;
@@ -50,7 +50,8 @@ class FrameFactory {
  private:
   std::shared_ptr<Frame> blank(FrameType type, hal::AgentId to);
   static void send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame);
-  FramePtr control(FrameType type, const PhyMode& mode, hal::AgentId to, hal::Duration duration);
+  std::shared_ptr<Frame> control(FrameType type, const PhyMode& mode, hal::AgentId to,
+                                 hal::Duration duration);
 
   const LengthsConfig& lengths_;
   const ModeSet& modes_;

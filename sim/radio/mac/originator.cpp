@@ -133,7 +133,7 @@ std::optional<Exchange> Originator::next(ContentionFunction number, hal::Time no
   if (!function.streams.empty()) {
     MpduStream& stream = *function.streams.front();
     discard_expired(stream, now, ended);
-    if (stream.must_ask) return request_exchange(number, stream);
+    if (stream.must_ask) return request_exchange(number, stream, now);
     if (!stream.in_flight.empty()) return stream_exchange(number, stream, now, budget);
     settle(function, stream);
   }
@@ -197,8 +197,9 @@ std::optional<Exchange> Originator::stream_exchange(ContentionFunction number, M
   return exchange;
 }
 
-Exchange Originator::request_exchange(ContentionFunction number, MpduStream& stream) {
-  const PhyMode& mode = modes_.response_to(modes_.data());
+Exchange Originator::request_exchange(ContentionFunction number, MpduStream& stream,
+                                      hal::Time now) {
+  const PhyMode& mode = modes_.response_to(rates_->reliable_mode(stream.to, now));
   return {.kind = Exchange::Kind::kBlockAckRequest,
           .function = number,
           .to = stream.to,

@@ -65,6 +65,11 @@ class Originator {
   void on_cts(const Exchange& exchange) {
     retries_of(exchange).succeed(RetryCounters::Kind::kShort);
   }
+  /// An ACK or a BlockAck was received; on_delivered() or on_block_ack() follows.
+  void on_answer(const Exchange& exchange, const Frame& answer) {
+    if (exchange.kind == Exchange::Kind::kBlockAckRequest) return;
+    rates_->on_answer(exchange.to, answer.answered_snr, exchange.mode->width());
+  }
   /// An ACK was received, or a group frame was sent.
   void on_delivered(const Exchange& exchange, hal::Time now, EndedMsdus& ended);
   void on_block_ack(const Exchange& exchange, const BlockAckFields& fields, hal::Time now,
@@ -110,7 +115,7 @@ class Originator {
   hal::Duration response_airtime(const Exchange& exchange) const;
   std::optional<Exchange> stream_exchange(ContentionFunction function, MpduStream& stream,
                                           hal::Time now, const Budget& budget);
-  Exchange request_exchange(ContentionFunction function, MpduStream& stream);
+  Exchange request_exchange(ContentionFunction function, MpduStream& stream, hal::Time now);
   PpduPtr make_head(const Exchange& exchange, hal::Duration after, hal::Time now);
   PpduPtr make_mpdus(const Exchange& exchange, hal::Duration after, hal::Time now);
   std::shared_ptr<Frame> make_mpdu(const Exchange& exchange, Mpdu& mpdu, hal::Duration after,

@@ -30,9 +30,9 @@ FramePtr Recipient::answer_to(const ReceivedPpdu& received) {
       agreement->state.score(received.ppdu.parts[i].frame->sequence);
     }
   }
-  if (!received.ppdu.is_aggregate()) return frames_.ack(first);
+  if (!received.ppdu.is_aggregate()) return frames_.ack(first, received.snr);
   if (agreement != nullptr) {
-    return frames_.block_ack(first, agreement->state.block_ack(first.priority));
+    return frames_.block_ack(first, agreement->state.block_ack(first.priority), received.snr);
   }
   // The originator believes in an agreement that this station has forgotten.
   listener_.send_action(first, DeleteBlockAck{false, first.priority, kReasonUnknownBlockAck});

@@ -135,6 +135,10 @@ const PhyMode& Minstrel::mode(hal::AgentId to, std::uint32_t attempt, hal::Time 
   return *ladder(to)[one.used].mode;
 }
 
+const PhyMode& Minstrel::reliable_mode(hal::AgentId to, hal::Time now) {
+  return *ladder(to)[link(to, now).most_reliable].mode;
+}
+
 void Minstrel::on_result(hal::AgentId to, bool is_success) {
   const auto found = links_.find(to);
   if (found == links_.end()) return;

@@ -30,6 +30,7 @@ class Minstrel final : public RateControl {
       : RateControl(ladders), config_(config), random_(random) {}
 
   const PhyMode& mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) override;
+  const PhyMode& reliable_mode(hal::AgentId to, hal::Time now) override;
   void on_result(hal::AgentId to, bool is_success) override;
 
  private:

@@ -1,7 +1,9 @@
 #include "sim/radio/rate/rate_control.h"
 
 #include "sim/radio/rate/aarf.h"
+#include "sim/radio/rate/ideal.h"
 #include "sim/radio/rate/minstrel.h"
+#include "sim/radio/rate/minstrel_ht.h"
 
 namespace sim::radio {
 
@@ -13,6 +15,10 @@ std::unique_ptr<RateControl> make_rate_control(const RateControlConfig& config,
       return std::make_unique<Aarf>(config, ladders);
     case RateControlKind::kMinstrel:
       return std::make_unique<Minstrel>(config, ladders, random);
+    case RateControlKind::kMinstrelHt:
+      return std::make_unique<MinstrelHt>(config, ladders, random);
+    case RateControlKind::kIdeal:
+      return std::make_unique<Ideal>(config, ladders);
     case RateControlKind::kFixed:
       break;
   }

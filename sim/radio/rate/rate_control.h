@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "hal/types/agent_id.h"
+#include "hal/types/quantity.h"
 #include "hal/types/random.h"
 #include "hal/types/time.h"
 #include "sim/radio/phy/phy_mode.h"
@@ -23,6 +24,9 @@ class RateControl {
   /// never.
   /// @param attempt  number of earlier attempts to send this frame.
   virtual const PhyMode& mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) = 0;
+  /// Mode of data that is likely to arrive. A BlockAckReq, which asks after a failure, is sent like
+  /// the answer to such a frame.
+  virtual const PhyMode& reliable_mode(hal::AgentId to, hal::Time now) { return mode(to, 0, now); }
   /// Reports whether the ACK was received.
   virtual void on_result(hal::AgentId to, bool is_success) = 0;
   /// Reports how many MPDUs of an A-MPDU were received, in place of on_result().
@@ -31,8 +35,15 @@ class RateControl {
     on_result(to, received > 0);
   }
 
+  /// Reports the SINR that the receiver had during the PPDU which it has answered, before
+  /// on_result() or on_aggregate(). @param snr  the lowest over the PPDU, in its `width`, MHz.
+  virtual void on_answer(hal::AgentId to, hal::Decibels snr, std::uint16_t width) {
+    (void)to, (void)snr, (void)width;
+  }
+
  protected:
   const Ladder& ladder(hal::AgentId to) const { return ladders_.to(to); }
+  const std::vector<Ladder>& groups(hal::AgentId to) const { return ladders_.groups_to(to); }
 
  private:
   const RateLadders& ladders_;

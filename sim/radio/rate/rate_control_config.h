@@ -6,7 +6,7 @@
 
 namespace sim::radio {
 
-enum class RateControlKind : std::uint8_t { kFixed, kAarf, kMinstrel };
+enum class RateControlKind : std::uint8_t { kFixed, kAarf, kMinstrel, kMinstrelHt, kIdeal };
 
 /// Rate control of data frames, for each destination separately.
 struct RateControlConfig {
@@ -22,6 +22,10 @@ struct RateControlConfig {
   hal::Duration minstrel_interval = std::chrono::milliseconds{100};
   double minstrel_past = 0.75;     ///< Weight of the statistics before an interval, 0 .. < 1.
   double minstrel_sampling = 0.1;  ///< Share of frames that sample another rate, 0 .. 1.
+  /// Of minstrel_ht: PPDUs between two samples, to which twice the mean number of MPDUs is added.
+  std::uint32_t minstrel_ht_wait = 16;
+
+  double ideal_loss = 0.01;  ///< Share of frames that a mode may lose, > 0, < 1.
 };
 
 }  // namespace sim::radio

@@ -1,9 +1,12 @@
 #include "sim/radio/rate/rate_ladder.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "hal/types/check.h"
+#include "sim/radio/mac/aggregation.h"
 #include "sim/radio/mac/backoff.h"
 #include "sim/radio/mac/frame_lengths.h"
 
@@ -31,6 +34,18 @@ std::uint32_t tries_of(hal::Duration exchange, const ContentionConfig& mac) {
 
 }  // namespace
 
+AverageExchange average_exchange(const Rung& rung, std::uint32_t mpdus) {
+  if (mpdus <= 1) return {1, rung.mode->airtime(rung.bits) + rung.answer};
+  const std::uint32_t subframe =
+      Aggregation::with_subframe(0, Aggregation::subframe_begin(rung.bits));
+  const hal::Duration airtime = rung.mode->airtime(mpdus * subframe);
+  const hal::Duration most = rung.mode->longest_ppdu();
+  if (airtime <= most) return {static_cast<double>(mpdus), airtime + rung.answer};
+  const double share = hal::to_seconds(most) / hal::to_seconds(airtime);
+  if (share * mpdus < 1) return average_exchange(rung, 1);
+  return {share * mpdus, most + rung.answer};
+}
+
 Ladder make_ladder(const DcfConfig& config, const ModeSet& modes) {
   const std::uint32_t bits = mpdu_bits(config.lengths, FrameType::kData, kAverageMsdu);
   const std::uint32_t ack_bits = mpdu_bits(config.lengths, FrameType::kAck);
@@ -40,7 +55,8 @@ Ladder make_ladder(const DcfConfig& config, const ModeSet& modes) {
     if (!has_streams(mode->modulation_class()) && mode->rate() > top.reference_rate()) continue;
     const hal::Duration airtime = mode->airtime(bits);
     const hal::Duration ack = config.contention.sifs + modes.response_to(*mode).airtime(ack_bits);
-    all.push_back({mode.get(), airtime, tries_of(airtime + ack, config.contention)});
+    all.push_back({mode.get(), airtime, tries_of(airtime + ack, config.contention),
+                   bits + kQosControlBits, ack});
   }
   const auto data = std::ranges::find(all, &top, &Rung::mode);
   BARAKA_CHECK(data != all.end());
@@ -53,12 +69,13 @@ RateLadders::RateLadders(const Ladder& all, const Cell& cell) : all_(all), cell_
   wanted_ = all.back().mode->id();
 }
 
-const Ladder& RateLadders::to(hal::AgentId station) const {
+const RateLadders::Made& RateLadders::made(hal::AgentId station) const {
   const Capabilities receiver = cell_.capabilities(station);
   const auto found = std::ranges::find(made_, receiver, &Made::capabilities);
-  if (found != made_.end()) return *found->ladder;
-  made_.push_back({receiver, std::make_unique<Ladder>(ladder_for(receiver))});
-  return *made_.back().ladder;
+  if (found != made_.end()) return *found;
+  made_.push_back({receiver, std::make_unique<Ladder>(ladder_for(receiver)),
+                   std::make_unique<std::vector<Ladder>>(groups_for(receiver))});
+  return made_.back();
 }
 
 Ladder RateLadders::ladder_for(const Capabilities& receiver) const {
@@ -74,6 +91,29 @@ Ladder RateLadders::legacy_ladder(const Capabilities& receiver) const {
   }
   BARAKA_CHECK(!ladder.empty());
   return ladder;
+}
+
+std::vector<Ladder> RateLadders::groups_for(const Capabilities& receiver) const {
+  const ModeId best = nearest(wanted_, receiver);
+  if (!has_streams(best.modulation)) return {};
+  const auto group_of = [](const Rung& rung) {
+    const ModeId& id = rung.mode->id();
+    return std::tuple(id.streams, id.width, -id.guard.count());
+  };
+  std::map<decltype(group_of(Rung{})), Ladder> groups;
+  for (const Rung& rung : all_) {
+    const ModeId& id = rung.mode->id();
+    const bool is_of_it = id.modulation == best.modulation && id.mcs <= best.mcs;
+    if (!is_of_it || id.width > best.width || id.streams > best.streams) continue;
+    if (id.guard < best.guard || !receiver.supports(id)) continue;
+    groups[group_of(rung)].push_back(rung);
+  }
+  std::vector<Ladder> in_order;
+  for (auto& [key, ladder] : groups) {
+    std::ranges::sort(ladder, {}, [](const Rung& rung) { return rung.mode->id().mcs; });
+    in_order.push_back(std::move(ladder));
+  }
+  return in_order;
 }
 
 Ladder RateLadders::mcs_ladder(const ModeId& best) const {

@@ -11,11 +11,12 @@
 
 namespace sim::radio::test {
 
-/// QoS stations on a circle of 5 m round one receiver: some of best effort, whose queues are never
+/// QoS stations on a circle round one receiver: some of best effort, whose queues are never
 /// empty, and some of voice, saturated or with a packet 1 / rate apart.
 struct QosCell {
   int best_effort = 1;
   int voice = 0;
+  double distance = 5;                     ///< Radius of the circle, m.
   std::size_t payload_best_effort = 1500;  ///< Bytes of an MSDU without LLC/SNAP.
   std::size_t payload_voice = 1500;
   double voice_rate = 0;  ///< Packets a second; 0: saturated.
@@ -39,7 +40,7 @@ class QosRun {
     air.add({0, 0, 0});
     for (int i = 0; i < senders; ++i) {
       const double angle = 2 * hal::math::kPi * i / senders;
-      air.add({5 * hal::math::cos(angle), 5 * hal::math::sin(angle), 0});
+      air.add({cell.distance * hal::math::cos(angle), cell.distance * hal::math::sin(angle), 0});
     }
     air.build();
     air.inbox(1).forward = [this](const MacIndication& one) { note(one); };
