@@ -93,10 +93,9 @@ class Log final : public RadioObserver {
 
   /// Frame types and transmitters in order, e.g. "RTS1 CTS2 DATA1 ACK2".
   std::string story() const {
-    static const char* const kNames[] = {"DATA",   "RTS",      "CTS",     "ACK",
-                                         "BEACON", "AUTH",     "DEAUTH",  "ASSOC?",
-                                         "ASSOC",  "REASSOC?", "REASSOC", "DISASSOC",
-                                         "BAR",    "BA",       "ACTION"};
+    static const char* const kNames[] = {"DATA",    "RTS",      "CTS",    "ACK",   "BEACON",
+                                         "AUTH",    "DEAUTH",   "ASSOC?", "ASSOC", "REASSOC?",
+                                         "REASSOC", "DISASSOC", "BAR",    "BA",    "ACTION"};
     std::string text;
     for (const Start& start : starts) {
       if (!text.empty()) text += ' ';
