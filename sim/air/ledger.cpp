@@ -104,7 +104,9 @@ void Ledger::on_entered(hal::Time at, hal::AgentId agent, const radio::MacReques
 
 Ledger::Sent* Ledger::find(const radio::Frame& frame) {
   if (frame.transmitter.value >= stations_.size()) return nullptr;
-  return stations_[frame.transmitter.value].find(frame.id);
+  Station& station = stations_[frame.transmitter.value];
+  Sent& last = station.sent[station.last];
+  return last.frame == frame.id ? &last : station.find(frame.id);
 }
 
 void Ledger::on_frame_start(hal::Time at, const radio::Frame& frame) {
@@ -113,8 +115,7 @@ void Ledger::on_frame_start(hal::Time at, const radio::Frame& frame) {
   Station& station = stations_[frame.transmitter.value];
   ContentPtr content = content_of(at, frame);
   Sent& sent = station.place_for(frame);
-  const std::size_t size = station.sent.size();
-  const Sent& before = station.sent[(station.last + size - 1) % size];
+  const Sent& before = station.sent[(station.last - 1) & (station.sent.size() - 1)];
   if (before.content == content) {
     sent.shares = before.shares;
   } else if (sent.content != content) {

@@ -99,11 +99,12 @@ class Ledger final : public radio::RadioObserver {
   /// Number of unfinished MSDUs that a station can have; only invalid data can cause more.
   static constexpr std::size_t kMostUnfinished = 1U << 16U;
   struct Station {
-    /// A ring, which grows until it has room for the MPDUs of two A-MPDUs.
+    /// A ring, which grows until it has room for the MPDUs of two A-MPDUs. Its size is a power
+    /// of 2.
     std::vector<Sent> sent = std::vector<Sent>(kRemembered);
     std::size_t last = 0;
     std::vector<Attempts> unfinished;  ///< MSDUs that were sent, in the order of their first time.
-    std::size_t next_end = 0;          ///< Index of the one that may end next on the air.
+    std::size_t last_end = 0;          ///< Index of the one whose frame ended last.
     Attempt rts;                       ///< The last one.
 
     Sent& place_for(const radio::Frame& frame);

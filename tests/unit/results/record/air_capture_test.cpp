@@ -108,6 +108,40 @@ TEST_F(AirCaptureTest, AStationHasWhatItSendsAndReceivesAndNothingThatItLost) {
   EXPECT_EQ(times(Time{1s}), (std::vector<std::uint64_t>{100'000, 400'000}));
 }
 
+/// Two MPDUs of 100 and 200 us in the air.
+std::vector<sim::radio::Frame> an_ampdu() {
+  std::vector<sim::radio::Frame> mpdus{ack(1, AgentId{1}), ack(2, AgentId{1})};
+  for (sim::radio::Frame& mpdu : mpdus) {
+    mpdu.ampdu = 7;
+    mpdu.airtime_of_all = 300us;
+  }
+  mpdus[1].airtime = 200us;
+  mpdus[1].airtime_before = 100us;
+  mpdus[1].is_last_of_ampdu = true;
+  return mpdus;
+}
+
+TEST_F(AirCaptureTest, TheMpdusOfAnAmpduHaveTheTimeOfItsEnd) {
+  AirCapture& ear = open();
+  for (const sim::radio::Frame& mpdu : an_ampdu()) ear.on_frame_start(Time{10us}, mpdu);
+  EXPECT_EQ(times(Time{1s}), (std::vector<std::uint64_t>{310'000, 310'000}));
+}
+
+TEST_F(AirCaptureTest, AnAmpduThatIsBrokenOffIsNotThere) {
+  AirCapture& ear = open();
+  for (const sim::radio::Frame& mpdu : an_ampdu()) ear.on_frame_start(Time{10us}, mpdu);
+  for (const sim::radio::Frame& mpdu : an_ampdu()) ear.on_frame_cut(Time{200us}, mpdu);
+  EXPECT_TRUE(times(Time{1s}).empty());
+}
+
+TEST_F(AirCaptureTest, AStationHasTheMpdusOfAnAmpduThatItReceived) {
+  AirCapture& station = open(AgentId{3});
+  const auto mpdus = an_ampdu();
+  station.on_reception(Time{310us}, mpdus[0], AgentId{3}, Verdict::kNoise, -60);
+  station.on_reception(Time{310us}, mpdus[1], AgentId{3}, Verdict::kDelivered, -60);
+  EXPECT_EQ(times(Time{1s}), std::vector<std::uint64_t>{310'000});
+}
+
 TEST_F(AirCaptureTest, AFileThatCannotBeWrittenIsNamed) {
   try {
     AirCapture(folder.path() / "not_there" / "air.pcapng",

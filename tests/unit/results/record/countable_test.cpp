@@ -60,6 +60,17 @@ TEST(Countable, AccessPointsHaveBeaconsAndMayKnowNoRoute) {
   EXPECT_TRUE(words(config, "requests").contains("no route"));
 }
 
+TEST(Countable, StationsWithQosMayAgreeOnBlockAck) {
+  sim::agents::SimulationConfig config = small_config();
+  sim::radio::Ieee80211nConfig radio;
+  config.radio = radio;
+  EXPECT_EQ(words(config, "frames"), (std::set<std::string>{"broadcast", "unicast", "rts", "cts",
+                                                            "ack", "management", "block_ack"}));
+  radio.aggregation.block_ack_window = 0;
+  config.radio = radio;
+  EXPECT_FALSE(words(config, "frames").contains("block_ack"));
+}
+
 TEST(Countable, RoutingEventsAreThoseOfTheProtocolsInUse) {
   sim::agents::SimulationConfig config = small_config();
   EXPECT_TRUE(words(config, "routing.events").contains("forward ant sent"));

@@ -174,10 +174,10 @@ TEST_P(SamplesOf, ComeAtTheFirstTryWhereNothingIsLost) {
 
 // The subscriber switches its radio off, once it is known: the samples are lost, each with the
 // frame of which its verdict is.
-TEST_P(SamplesOf, AreLostWithAVerdictAndAFrameOfIt) {
-  Replay replay(lossless());
+void expect_losses_with_frames(const char* capture, const radio::RadioConfig& radio) {
+  Replay replay(radio);
   replay.build();
-  replay.send(read_capture(GetParam().capture));
+  replay.send(read_capture(capture));
   replay.events.schedule(hal::Time{1500ms}, Rank::kScenario, kWorld,
                          [&replay] { replay.network->sap(hal::AgentId{2}).set_radio(false); });
   replay.run(20s);
@@ -189,6 +189,25 @@ TEST_P(SamplesOf, AreLostWithAVerdictAndAFrameOfIt) {
                        " (SELECT 1 FROM frame_ends e WHERE e.frame = s.frame AND"
                        " e.agent = s.receiver AND e.verdict = s.verdict)"),
             "0");
+}
+
+TEST_P(SamplesOf, AreLostWithAVerdictAndAFrameOfIt) {
+  expect_losses_with_frames(GetParam().capture, lossless());
+}
+
+// The same with retries in A-MPDUs, of A-MSDUs, and after RTS.
+TEST_P(SamplesOf, AreLostWithAVerdictAndAFrameOfItInAmpdus) {
+  radio::RadioConfig config = radio::profile_defaults(radio::Profile::kIeee80211n);
+  radio::DcfConfig& dcf = *radio::dcf_of(config);
+  dcf.contention.queue_limit = 1000;
+  for (const std::uint32_t max_amsdu : {0U, 3839U}) {
+    for (const std::uint32_t rts_threshold : {65'535U, 500U}) {
+      SCOPED_TRACE(fmt::format("{} {}", max_amsdu, rts_threshold));
+      dcf.aggregation.max_amsdu = max_amsdu;
+      dcf.contention.rts_threshold = rts_threshold;
+      expect_losses_with_frames(GetParam().capture, config);
+    }
+  }
 }
 
 }  // namespace
