@@ -1,7 +1,6 @@
 #include "sim/radio/rate/minstrel_ht.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace sim::radio {
@@ -91,7 +90,7 @@ void MinstrelHt::measure(Link& link, Rate& rate) {
 }
 
 void MinstrelHt::rank(Link& link) {
-  // If no rate works, the lowest is used.
+  // If no rate works, the lowest is used; if no other than the best does, there is no second best.
   link.best = link.second = link.most_reliable = 0;
   const auto value = [&](std::size_t i) { return link.rates[i].throughput; };
   const auto reliability = [&](std::size_t i) {
@@ -102,7 +101,7 @@ void MinstrelHt::rank(Link& link) {
     if (value(i) > value(link.best)) {
       link.second = link.best;
       link.best = i;
-    } else if (i != link.best && (link.second == link.best || value(i) > value(link.second))) {
+    } else if (i != link.best && value(i) > (link.second == link.best ? 0 : value(link.second))) {
       link.second = i;
     }
     if (reliability(i) > reliability(link.most_reliable)) link.most_reliable = i;

@@ -15,7 +15,7 @@ constexpr hal::Duration kAck = kCts;       // 112 bits
 constexpr hal::Duration kData = 216727ns;  // 272 bits
 constexpr hal::Duration kDifs = 50us;
 constexpr hal::Duration kSifs = 10us;
-constexpr hal::Duration kSlot = 20us;
+constexpr hal::Duration kMfSlot = 20us;
 /// DIFS to the end of DATA.
 constexpr hal::Duration kOneHop = kDifs + kRts + kSifs + kCts + kSifs + kData;
 
@@ -95,8 +95,8 @@ TEST_F(MobilityFrameworkMacTest, GivesUpAfterSevenRtsWithDoubledWindows) {
   const std::vector<std::int64_t> windows{15, 31, 63, 127, 255, 255};
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const hal::Duration backoff = start_of(i + 1) - start_of(i) - timeout - kDifs;
-    EXPECT_EQ(backoff % kSlot, 0ns) << i;
-    EXPECT_LE(backoff / kSlot, windows[i]) << i;
+    EXPECT_EQ(backoff % kMfSlot, 0ns) << i;
+    EXPECT_LE(backoff / kMfSlot, windows[i]) << i;
   }
 }
 
@@ -117,8 +117,8 @@ TEST_F(MobilityFrameworkMacTest, BacksOffUpToSevenSlotsForASecondPacket) {
   air.run();
   ASSERT_EQ(air.log.story(), "RTS1 CTS2 DATA1 ACK2 RTS1 CTS2 DATA1 ACK2");
   const hal::Duration backoff = start_of(4) - (kOneHop + kSifs + kAck) - kDifs;
-  EXPECT_EQ(backoff % kSlot, 0ns);
-  EXPECT_LE(backoff, 7 * kSlot);
+  EXPECT_EQ(backoff % kMfSlot, 0ns);
+  EXPECT_LE(backoff, 7 * kMfSlot);
 }
 
 TEST_F(MobilityFrameworkMacTest, KeepsQuietForTheDurationOfAnOverheardRts) {
@@ -130,8 +130,8 @@ TEST_F(MobilityFrameworkMacTest, KeepsQuietForTheDurationOfAnOverheardRts) {
   const hal::Duration end = kOneHop + kSifs + kAck;
   const hal::Duration backoff = start_of(4) - end - kDifs;
   EXPECT_GE(backoff, 0ns);
-  EXPECT_LE(backoff, 31 * kSlot);
-  EXPECT_EQ(backoff % kSlot, 0ns);
+  EXPECT_LE(backoff, 31 * kMfSlot);
+  EXPECT_EQ(backoff % kMfSlot, 0ns);
 }
 
 // Station 1 first runs undisturbed to learn its backoff. Then station 2 cuts into it: what is left
@@ -150,7 +150,7 @@ TEST_F(MobilityFrameworkMacTest, FrozenBackoffKeepsItsRestInContinuousTime) {
   };
   const hal::Duration undisturbed = second_start(std::nullopt);
   const hal::Duration first_end = kDifs + kData;
-  ASSERT_GE(undisturbed - first_end - kDifs, 2 * kSlot) << "choose a seed with a longer backoff";
+  ASSERT_GE(undisturbed - first_end - kDifs, 2 * kMfSlot) << "choose a seed with a longer backoff";
   const hal::Duration cut_in = first_end + kDifs + 27us;  // one slot and 7 us into the backoff
   EXPECT_EQ(second_start(cut_in), undisturbed + kData + kDifs);
 }
@@ -175,7 +175,7 @@ TEST_F(MobilityFrameworkMacTest, BitErrorSilencesForEifs) {
   const hal::Duration eifs = kSifs + kDifs + kAck;
   const hal::Duration backoff = start_of(1) - (kDifs + kData) - eifs - kDifs;
   EXPECT_GE(backoff, 0ns);
-  EXPECT_EQ(backoff % kSlot, 0ns);
+  EXPECT_EQ(backoff % kMfSlot, 0ns);
 }
 
 TEST_F(MobilityFrameworkMacTest, CollisionBringsNoEifs) {
