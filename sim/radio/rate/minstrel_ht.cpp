@@ -139,10 +139,9 @@ bool MinstrelHt::is_worth_a_look(Link& link, std::size_t at) {
   const Rate& rate = link.rates[at];
   if (rate.success > kWellKnown) return false;
   const auto streams = [&](std::size_t i) { return link.rates[i].rung->mode->id().streams; };
-  const auto airtime = [&](std::size_t i) { return link.rates[i].rung->airtime; };
-  const bool is_fast =
-      airtime(at) < airtime(link.second) ||
-      (streams(at) < streams(link.best) && airtime(at) < airtime(link.most_reliable));
+  const auto speed = [&](std::size_t i) { return link.rates[i].rung->mode->rate().value; };
+  const bool is_fast = speed(at) > speed(link.second) ||
+                       (streams(at) < streams(link.best) && speed(at) > speed(link.most_reliable));
   if (is_fast) return true;
   if (rate.intervals_without < kLongAgo || link.slow_looks == 0) return false;
   --link.slow_looks;
