@@ -369,6 +369,19 @@ class RadioKeys(Case):
         found = self.compare("minstrel_past", [0, 0.9], lambda run: run.received(), **lossy)
         self.assertNotEqual(found[0], found[1])
 
+    def test_rate_control_of_mcs(self):
+        radio = ("profile: ieee80211n", "aggregation: {max_ampdu: 0}")
+        found = self.compare("rate_control", ["fixed", "ideal", "minstrel_ht"], Run.rates, radio=radio,
+                             stations=SATURATED, time="1 s")
+        # ideal begins with the slowest and then knows the SINR.
+        self.assertEqual(found[:2], [1, 2])
+        self.assertGreater(found[2], 4)
+        self.falls("minstrel_ht_wait", [0, 100000], Run.rates, radio=(*radio, "rate_control: minstrel_ht"),
+                   stations=SATURATED, time="1 s")
+        self.falls("ideal_loss", [1e-6, 0.9],
+                   lambda run: run.one("SELECT min(airtime_ns) FROM frames WHERE class = 'unicast'"),
+                   radio=(*radio, "rate_control: ideal", "noise_floor: -64 dBm"), stations=SATURATED)
+
     # Access points: a is one.
 
     def test_access_points(self):

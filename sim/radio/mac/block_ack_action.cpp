@@ -13,7 +13,8 @@ constexpr int kDeleteTidShift = 12, kInitiatorShift = 11;
 constexpr std::uint16_t kSetTidMask = 0xf;
 
 std::uint16_t parameter_set(std::uint8_t tid, std::uint32_t window) {
-  return static_cast<std::uint16_t>(kImmediate | tid << kSetTidShift | window << kSetWindowShift);
+  const std::uint32_t shifted = std::uint32_t{tid} << kSetTidShift | window << kSetWindowShift;
+  return static_cast<std::uint16_t>(kImmediate | shifted);
 }
 
 hal::Bytes body_of(const AddBlockAckRequest& one) {

@@ -5,16 +5,18 @@
 
 namespace sim::radio {
 
-ChannelAccess::ChannelAccess(EventQueue& events, hal::AgentId agent, const DcfConfig& config,
-                             const DcfTiming& timing, const hal::RandomStream& random,
-                             ChannelAccessListener& listener)
+ChannelAccess::ChannelAccess(EventQueue& events, hal::AgentId agent, const Rules& rules,
+                             const hal::RandomStream& random, ChannelAccessListener& listener)
     : events_(events), agent_(agent), random_(random), listener_(listener) {
+  const DcfConfig& config = rules.config;
   if (config.qos) {
-    for (const AccessParameters& category : config.edca.categories) add(category, timing, true);
+    for (const AccessParameters& category : config.edca.categories) {
+      add(category, rules.timing, true);
+    }
     return;
   }
   constexpr std::uint32_t kDifsSlots = 2;
-  add({config.contention.cw_min, config.contention.cw_max, kDifsSlots, {}}, timing, false);
+  add({config.contention.cw_min, config.contention.cw_max, kDifsSlots, {}}, rules.timing, false);
 }
 
 void ChannelAccess::add(const AccessParameters& parameters, const DcfTiming& timing,

@@ -32,10 +32,13 @@ class ChannelAccessListener {
 /// window, on one medium (IEEE Std 802.11-2020, 10.3.4 and 10.23.2).
 class ChannelAccess {
  public:
+  struct Rules {
+    const DcfConfig& config;
+    const DcfTiming& timing;
+  };
   /// @param listener  outlives this object.
-  ChannelAccess(EventQueue& events, hal::AgentId agent, const DcfConfig& config,
-                const DcfTiming& timing, const hal::RandomStream& random,
-                ChannelAccessListener& listener);
+  ChannelAccess(EventQueue& events, hal::AgentId agent, const Rules& rules,
+                const hal::RandomStream& random, ChannelAccessListener& listener);
 
   std::size_t functions() const { return count_; }
   /// Longest time for which the function may hold the medium; 0: one frame exchange.

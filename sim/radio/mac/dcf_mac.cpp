@@ -11,6 +11,8 @@ template <class... Handlers>
 struct Overloaded : Handlers... {
   using Handlers::operator()...;
 };
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 }  // namespace
 
@@ -19,7 +21,7 @@ DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
     : MacBase(context),
       config_(config),
       radio_(radio),
-      access_(context.events, context.agent, config, DcfTiming(config, context.modes),
+      access_(context.events, context.agent, {config, DcfTiming(config, context.modes)},
               streams.backoff, *this),
       carrier_(context.events, radio, access_, config, context.modes),
       frames_(context.lengths, context.modes, context.agent),

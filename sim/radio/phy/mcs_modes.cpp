@@ -49,24 +49,28 @@ std::unique_ptr<const PhyMode> make_mcs_mode(const ModeId& id, const McsMode::Op
   return std::make_unique<HeMode>(id, options);
 }
 
+namespace {
+
+/// Adds the modes of a class, MCS and number of streams, up to a width, with both guard intervals.
+void add_widths(ModeId id, const ModeId& most, std::vector<ModeId>& all) {
+  for (const std::uint16_t width : kWidths) {
+    if (width > most.width) return;
+    id.width = width;
+    id.guard = kGuardOfAll;
+    if (exists(id)) all.push_back(id);
+    id.guard = most.guard;
+    if (most.guard != kGuardOfAll && exists(id)) all.push_back(id);
+  }
+}
+
+}  // namespace
+
 std::vector<ModeId> modes_up_to(const ModeId& most, std::uint32_t channel) {
   std::vector<ModeId> all;
-  const auto add = [&all](const ModeId& id) {
-    if (exists(id)) all.push_back(id);
-  };
   for (const ModulationClass modulation : mcs_classes(most.modulation, channel)) {
     ModeId id{.modulation = modulation};
     for (id.mcs = 0; id.mcs <= most.mcs; ++id.mcs) {
-      for (id.streams = 1; id.streams <= most.streams; ++id.streams) {
-        for (const std::uint16_t width : kWidths) {
-          if (width > most.width) break;
-          id.width = width;
-          id.guard = kGuardOfAll;
-          add(id);
-          id.guard = most.guard;
-          if (most.guard != kGuardOfAll) add(id);
-        }
-      }
+      for (id.streams = 1; id.streams <= most.streams; ++id.streams) add_widths(id, most, all);
     }
   }
   std::ranges::sort(all);

@@ -13,6 +13,12 @@ constexpr std::uint32_t kUntilForgotten = 7;
 constexpr double kLowestDb = -20, kHighestDb = 60;
 constexpr int kHalvings = 30;
 
+/// A-MPDUs make preambles and whole symbols count for little.
+double time_of(const Rung& rung) {
+  if (!has_streams(rung.mode->modulation_class())) return hal::to_seconds(rung.airtime);
+  return rung.bits / rung.mode->rate().value;
+}
+
 double ratio_of(double db) { return hal::math::pow(10, db / 10); }
 
 }  // namespace
@@ -28,9 +34,9 @@ std::vector<Ideal::Step> Ideal::steps_to(hal::AgentId to) const {
   for (const Ladder& group : groups(to)) std::ranges::copy(group, std::back_inserter(all));
   if (all.empty()) all = ladder(to);
   std::vector<Step> steps;
-  for (const Rung& rung : all) steps.push_back({rung.mode, rung.airtime, needed_by(rung)});
+  for (const Rung& rung : all) steps.push_back({rung.mode, time_of(rung), needed_by(rung)});
   std::ranges::stable_sort(steps, {}, [](const Step& step) {
-    return std::pair(step.airtime, step.needed * step.mode->width());
+    return std::pair(step.time, step.needed * step.mode->width());
   });
   return steps;
 }

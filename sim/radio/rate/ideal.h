@@ -25,8 +25,8 @@ class Ideal final : public RateControl {
   /// A mode, and the lowest SINR at which it loses no more than it may.
   struct Step {
     const PhyMode* mode = nullptr;
-    hal::Duration airtime{};  ///< Of a frame of average length.
-    double needed = 0;        ///< A ratio, in the mode's width.
+    double time = 0;    ///< s, of a frame of average length; with MCSs without what precedes it.
+    double needed = 0;  ///< A ratio, in the mode's width.
   };
   struct Link {
     std::vector<Step> steps;    ///< The faster first; the last is the slowest.

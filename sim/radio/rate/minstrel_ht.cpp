@@ -22,7 +22,7 @@ constexpr std::uint32_t kLongAgo = 20;     ///< In intervals.
 constexpr std::uint32_t kLeastTries = 2;   ///< Of a rate that is not worthless.
 constexpr hal::Duration kStageTime = 6ms;  ///< In which the tries of a stage fit.
 
-std::uint32_t rounded(double mpdus) { return static_cast<std::uint32_t>(mpdus + 0.5); }
+std::uint32_t rounded(double mpdus) { return static_cast<std::uint32_t>(std::lround(mpdus)); }
 
 }  // namespace
 
@@ -91,7 +91,7 @@ void MinstrelHt::measure(Link& link, Rate& rate) {
 }
 
 void MinstrelHt::rank(Link& link) {
-  // If no rate works, the lowest is used.
+  // If no rate works, the lowest is used; if no other than the best does, there is no second best.
   link.best = link.second = link.most_reliable = 0;
   const auto value = [&](std::size_t i) { return link.rates[i].throughput; };
   const auto reliability = [&](std::size_t i) {
@@ -102,7 +102,7 @@ void MinstrelHt::rank(Link& link) {
     if (value(i) > value(link.best)) {
       link.second = link.best;
       link.best = i;
-    } else if (i != link.best && (link.second == link.best || value(i) > value(link.second))) {
+    } else if (i != link.best && value(i) > (link.second == link.best ? 0 : value(link.second))) {
       link.second = i;
     }
     if (reliability(i) > reliability(link.most_reliable)) link.most_reliable = i;
@@ -140,10 +140,9 @@ bool MinstrelHt::is_worth_a_look(Link& link, std::size_t at) {
   const Rate& rate = link.rates[at];
   if (rate.success > kWellKnown) return false;
   const auto streams = [&](std::size_t i) { return link.rates[i].rung->mode->id().streams; };
-  const auto airtime = [&](std::size_t i) { return link.rates[i].rung->airtime; };
-  const bool is_fast =
-      airtime(at) < airtime(link.second) ||
-      (streams(at) < streams(link.best) && airtime(at) < airtime(link.most_reliable));
+  const auto speed = [&](std::size_t i) { return link.rates[i].rung->mode->rate().value; };
+  const bool is_fast = speed(at) > speed(link.second) ||
+                       (streams(at) < streams(link.best) && speed(at) > speed(link.most_reliable));
   if (is_fast) return true;
   if (rate.intervals_without < kLongAgo || link.slow_looks == 0) return false;
   --link.slow_looks;

@@ -41,6 +41,8 @@ void on_sent(Ptr<const Packet> frame, uint16_t, WifiTxVector vector, MpduInfo pa
 }
 
 void set_manager(const Options& options, WifiHelper& wifi, bool is_5ghz) {
+  // Else an A-MPDU above 65,535 bytes has an RTS.
+  Config::SetDefault("ns3::WifiRemoteStationManager::RtsCtsThreshold", UintegerValue(4692480));
   const std::string control = is_5ghz ? "OfdmRate6Mbps" : "ErpOfdmRate6Mbps";
   if (options.manager == "minstrel_ht") {
     wifi.SetRemoteStationManager("ns3::MinstrelHtWifiManager");

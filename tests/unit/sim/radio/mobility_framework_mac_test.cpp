@@ -9,15 +9,15 @@ using namespace std::chrono_literals;
 using hal::Verdict;
 
 // Airtimes at 11 Mb/s (replica of the Mobility Framework, section 2): 192 us + bits / 11 Mb/s.
-constexpr hal::Duration kRts = 206545ns;   // 160 bits
-constexpr hal::Duration kCts = 202182ns;   // 112 bits
-constexpr hal::Duration kAck = kCts;       // 112 bits
-constexpr hal::Duration kData = 216727ns;  // 272 bits
-constexpr hal::Duration kDifs = 50us;
-constexpr hal::Duration kSifs = 10us;
-constexpr hal::Duration kSlot = 20us;
+constexpr hal::Duration kMfRts = 206545ns;   // 160 bits
+constexpr hal::Duration kMfCts = 202182ns;   // 112 bits
+constexpr hal::Duration kMfAck = kMfCts;     // 112 bits
+constexpr hal::Duration kMfData = 216727ns;  // 272 bits
+constexpr hal::Duration kMfDifs = 50us;
+constexpr hal::Duration kMfSifs = 10us;
+constexpr hal::Duration kMfSlot = 20us;
 /// DIFS to the end of DATA.
-constexpr hal::Duration kOneHop = kDifs + kRts + kSifs + kCts + kSifs + kData;
+constexpr hal::Duration kOneHop = kMfDifs + kMfRts + kMfSifs + kMfCts + kMfSifs + kMfData;
 
 /// Stations 200 m apart, radio range 250.16 m: each hears its neighbours only.
 class MobilityFrameworkMacTest : public testing::Test {
@@ -39,24 +39,24 @@ TEST_F(MobilityFrameworkMacTest, SendsUnicastAsRtsCtsDataAckAfterDifsOnly) {
   air.send(1, 2, 0, 77);
   air.run();
   EXPECT_EQ(air.log.story(), "RTS1 CTS2 DATA1 ACK2");
-  EXPECT_EQ(start_of(0), kDifs);
-  EXPECT_EQ(start_of(1), kDifs + kRts + kSifs);
-  EXPECT_EQ(start_of(2), kOneHop - kData);
+  EXPECT_EQ(start_of(0), kMfDifs);
+  EXPECT_EQ(start_of(1), kMfDifs + kMfRts + kMfSifs);
+  EXPECT_EQ(start_of(2), kOneHop - kMfData);
   ASSERT_EQ(air.inbox(2).received.size(), 1u);
   EXPECT_EQ(air.inbox(2).received[0].at, hal::Time{} + kOneHop);
   ASSERT_EQ(air.inbox(1).ended.size(), 1u);
   EXPECT_EQ(air.inbox(1).ended[0].tag, 77u);
   EXPECT_EQ(air.inbox(1).ended[0].verdict, Verdict::kDelivered);
-  EXPECT_EQ(air.inbox(1).ended[0].at, hal::Time{} + kOneHop + kSifs + kAck);
+  EXPECT_EQ(air.inbox(1).ended[0].at, hal::Time{} + kOneHop + kMfSifs + kMfAck);
 }
 
 TEST_F(MobilityFrameworkMacTest, DurationFieldsCoverTheRestOfTheExchange) {
   build_line(2);
   air.send(1, 2);
   air.run();
-  EXPECT_EQ(air.log.starts[0].frame.duration, 3 * kSifs + kCts + kData + kAck);
-  EXPECT_EQ(air.log.starts[1].frame.duration, 2 * kSifs + kData + kAck);
-  EXPECT_EQ(air.log.starts[2].frame.duration, kSifs + kAck);
+  EXPECT_EQ(air.log.starts[0].frame.duration, 3 * kMfSifs + kMfCts + kMfData + kMfAck);
+  EXPECT_EQ(air.log.starts[1].frame.duration, 2 * kMfSifs + kMfData + kMfAck);
+  EXPECT_EQ(air.log.starts[2].frame.duration, kMfSifs + kMfAck);
   EXPECT_EQ(air.log.starts[3].frame.duration, 0ns);
 }
 
@@ -68,7 +68,7 @@ TEST_F(MobilityFrameworkMacTest, NeverProtectsOrAcknowledgesABroadcast) {
   EXPECT_EQ(air.inbox(1).received.size(), 1u);
   EXPECT_EQ(air.inbox(3).received.size(), 1u);
   ASSERT_EQ(air.inbox(2).ended.size(), 1u);
-  EXPECT_EQ(air.inbox(2).ended[0].at, hal::Time{} + kDifs + kData);
+  EXPECT_EQ(air.inbox(2).ended[0].at, hal::Time{} + kMfDifs + kMfData);
 }
 
 TEST_F(MobilityFrameworkMacTest, SkipsRtsUpToTheThreshold) {
@@ -78,7 +78,7 @@ TEST_F(MobilityFrameworkMacTest, SkipsRtsUpToTheThreshold) {
   air.run();
   EXPECT_EQ(air.log.story(), "DATA1 ACK2");
   EXPECT_EQ(air.log.starts[0].frame.duration, 0ns);
-  EXPECT_EQ(air.inbox(2).received.at(0).at, hal::Time{} + kDifs + kData);
+  EXPECT_EQ(air.inbox(2).received.at(0).at, hal::Time{} + kMfDifs + kMfData);
 }
 
 // Attempt n+1 starts at the timeout of attempt n, plus DIFS, plus 0 .. CW slots, where CW is 15,
@@ -90,13 +90,13 @@ TEST_F(MobilityFrameworkMacTest, GivesUpAfterSevenRtsWithDoubledWindows) {
   EXPECT_EQ(air.log.story(), "RTS1 RTS1 RTS1 RTS1 RTS1 RTS1 RTS1");
   ASSERT_EQ(air.inbox(1).ended.size(), 1u);
   EXPECT_EQ(air.inbox(1).ended[0].verdict, Verdict::kRetryLimit);
-  const hal::Duration timeout = kRts + kSifs + kCts + 1ns;
+  const hal::Duration timeout = kMfRts + kMfSifs + kMfCts + 1ns;
   EXPECT_EQ(air.inbox(1).ended[0].at, hal::Time{} + start_of(6) + timeout);
   const std::vector<std::int64_t> windows{15, 31, 63, 127, 255, 255};
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    const hal::Duration backoff = start_of(i + 1) - start_of(i) - timeout - kDifs;
-    EXPECT_EQ(backoff % kSlot, 0ns) << i;
-    EXPECT_LE(backoff / kSlot, windows[i]) << i;
+    const hal::Duration backoff = start_of(i + 1) - start_of(i) - timeout - kMfDifs;
+    EXPECT_EQ(backoff % kMfSlot, 0ns) << i;
+    EXPECT_LE(backoff / kMfSlot, windows[i]) << i;
   }
 }
 
@@ -116,9 +116,9 @@ TEST_F(MobilityFrameworkMacTest, BacksOffUpToSevenSlotsForASecondPacket) {
   air.send(1, 2);
   air.run();
   ASSERT_EQ(air.log.story(), "RTS1 CTS2 DATA1 ACK2 RTS1 CTS2 DATA1 ACK2");
-  const hal::Duration backoff = start_of(4) - (kOneHop + kSifs + kAck) - kDifs;
-  EXPECT_EQ(backoff % kSlot, 0ns);
-  EXPECT_LE(backoff, 7 * kSlot);
+  const hal::Duration backoff = start_of(4) - (kOneHop + kMfSifs + kMfAck) - kMfDifs;
+  EXPECT_EQ(backoff % kMfSlot, 0ns);
+  EXPECT_LE(backoff, 7 * kMfSlot);
 }
 
 TEST_F(MobilityFrameworkMacTest, KeepsQuietForTheDurationOfAnOverheardRts) {
@@ -127,11 +127,11 @@ TEST_F(MobilityFrameworkMacTest, KeepsQuietForTheDurationOfAnOverheardRts) {
   air.at(300us, [this] { air.broadcast(1); });  // after the RTS, which station 1 hears
   air.run();
   ASSERT_EQ(air.log.story(), "RTS2 CTS3 DATA2 ACK3 DATA1");
-  const hal::Duration end = kOneHop + kSifs + kAck;
-  const hal::Duration backoff = start_of(4) - end - kDifs;
+  const hal::Duration end = kOneHop + kMfSifs + kMfAck;
+  const hal::Duration backoff = start_of(4) - end - kMfDifs;
   EXPECT_GE(backoff, 0ns);
-  EXPECT_LE(backoff, 31 * kSlot);
-  EXPECT_EQ(backoff % kSlot, 0ns);
+  EXPECT_LE(backoff, 31 * kMfSlot);
+  EXPECT_EQ(backoff % kMfSlot, 0ns);
 }
 
 // Station 1 first runs undisturbed to learn its backoff. Then station 2 cuts into it: what is left
@@ -144,22 +144,23 @@ TEST_F(MobilityFrameworkMacTest, FrozenBackoffKeepsItsRestInContinuousTime) {
     world.build();
     world.broadcast(1);
     world.broadcast(1);
-    if (disturbed_at) world.at(*disturbed_at - kDifs, [&world] { world.broadcast(2); });
+    if (disturbed_at) world.at(*disturbed_at - kMfDifs, [&world] { world.broadcast(2); });
     world.run();
     return world.log.starts.back().at.time_since_epoch();
   };
   const hal::Duration undisturbed = second_start(std::nullopt);
-  const hal::Duration first_end = kDifs + kData;
-  ASSERT_GE(undisturbed - first_end - kDifs, 2 * kSlot) << "choose a seed with a longer backoff";
-  const hal::Duration cut_in = first_end + kDifs + 27us;  // one slot and 7 us into the backoff
-  EXPECT_EQ(second_start(cut_in), undisturbed + kData + kDifs);
+  const hal::Duration first_end = kMfDifs + kMfData;
+  ASSERT_GE(undisturbed - first_end - kMfDifs, 2 * kMfSlot)
+      << "choose a seed with a longer backoff";
+  const hal::Duration cut_in = first_end + kMfDifs + 27us;  // one slot and 7 us into the backoff
+  EXPECT_EQ(second_start(cut_in), undisturbed + kMfData + kMfDifs);
 }
 
 // Station 3 does not hear the RTS of station 1 and starts 5 us after it.
 TEST_F(MobilityFrameworkMacTest, CarrierCancelsAPendingAnswer) {
   build_line(3);
   air.send(1, 2);
-  air.at(kRts + 5us, [this] { air.broadcast(3); });  // DIFS later it is on the air
+  air.at(kMfRts + 5us, [this] { air.broadcast(3); });  // DIFS later it is on the air
   air.run();
   EXPECT_EQ(air.log.story(), "RTS1 DATA3 RTS1 CTS2 DATA1 ACK2");
 }
@@ -172,10 +173,10 @@ TEST_F(MobilityFrameworkMacTest, BitErrorSilencesForEifs) {
   air.at(100us, [this] { air.broadcast(2); });
   air.run();
   ASSERT_EQ(air.log.verdicts(0, 2), std::vector{Verdict::kNoise});
-  const hal::Duration eifs = kSifs + kDifs + kAck;
-  const hal::Duration backoff = start_of(1) - (kDifs + kData) - eifs - kDifs;
+  const hal::Duration eifs = kMfSifs + kMfDifs + kMfAck;
+  const hal::Duration backoff = start_of(1) - (kMfDifs + kMfData) - eifs - kMfDifs;
   EXPECT_GE(backoff, 0ns);
-  EXPECT_EQ(backoff % kSlot, 0ns);
+  EXPECT_EQ(backoff % kMfSlot, 0ns);
 }
 
 TEST_F(MobilityFrameworkMacTest, CollisionBringsNoEifs) {
@@ -188,7 +189,7 @@ TEST_F(MobilityFrameworkMacTest, CollisionBringsNoEifs) {
   air.run();
   EXPECT_EQ(air.log.verdicts(0, 2), std::vector{Verdict::kCollision});
   EXPECT_EQ(air.log.verdicts(1, 2), std::vector{Verdict::kPreambleMissed});
-  EXPECT_EQ(start_of(2), kDifs + kData + kDifs);
+  EXPECT_EQ(start_of(2), kMfDifs + kMfData + kMfDifs);
 }
 
 TEST_F(MobilityFrameworkMacTest, DeliversAgainWhenAnAcknowledgementWasLost) {
@@ -196,7 +197,7 @@ TEST_F(MobilityFrameworkMacTest, DeliversAgainWhenAnAcknowledgementWasLost) {
   build_line(2);
   // The radio of station 1 is off when the ACK comes; the packet is then sent again.
   air.send(1, 2);
-  air.at(kDifs + kData + kSifs + 1us, [this] {
+  air.at(kMfDifs + kMfData + kMfSifs + 1us, [this] {
     air.sap(1).set_radio(false);
     air.sap(1).set_radio(true);
     air.send(1, 2);
@@ -216,7 +217,7 @@ TEST_F(MobilityFrameworkMacTest, RadioOffCutsTheFrameAndDropsTheQueue) {
   air.run();
   ASSERT_EQ(air.log.starts.size(), 2u);
   EXPECT_EQ(air.log.verdicts(0, 2), std::vector{Verdict::kRadioOff});
-  EXPECT_EQ(start_of(1), 400us + kDifs);
+  EXPECT_EQ(start_of(1), 400us + kMfDifs);
   EXPECT_EQ(air.log.verdicts(1, 2), std::vector{Verdict::kDelivered});
   ASSERT_EQ(air.inbox(1).ended.size(), 4u);
   EXPECT_EQ(air.inbox(1).ended[0].verdict, Verdict::kRadioOff);

@@ -541,11 +541,12 @@ TEST_F(Resolved, HoldsForEveryRadioProfile) {
 TEST_F(Resolved, KeepsTheKeysOfTheStandards) {
   const auto file = std::string(CONFIG_DIR) + "/scenarios/two_motes.yaml";
   const Scenario first = load_scenario(
-      file, {"radio.profile=ieee80211g", "radio.protection=rts_cts", "radio.protection_rate=2 Mb/s",
-             "radio.msdu_lifetime=300 ms", "radio.rate_control=minstrel", "radio.aarf_threshold=9",
-             "radio.aarf_max_threshold=40", "radio.aarf_timeout=14",
-             "radio.minstrel_interval=50 ms", "radio.minstrel_past=0.5",
-             "radio.minstrel_sampling=0.2", "agents.motes.radio.standard=ieee80211b"});
+      file,
+      {"radio.profile=ieee80211g", "radio.protection=rts_cts", "radio.protection_rate=2 Mb/s",
+       "radio.msdu_lifetime=300 ms", "radio.rate_control=minstrel", "radio.aarf_threshold=9",
+       "radio.aarf_max_threshold=40", "radio.aarf_timeout=14", "radio.minstrel_interval=50 ms",
+       "radio.minstrel_past=0.5", "radio.minstrel_sampling=0.2", "radio.minstrel_ht_wait=30",
+       "radio.ideal_loss=0.05", "agents.motes.radio.standard=ieee80211b"});
   const Scenario again = load(resolved_yaml(first));
   const radio::DcfConfig& c = *dcf_of(again.simulation.radio);
   EXPECT_EQ(c.protection, radio::ProtectionKind::kRtsCts);
@@ -558,6 +559,8 @@ TEST_F(Resolved, KeepsTheKeysOfTheStandards) {
   EXPECT_EQ(c.rate_control.minstrel_interval, 50ms);
   EXPECT_EQ(c.rate_control.minstrel_past, 0.5);
   EXPECT_EQ(c.rate_control.minstrel_sampling, 0.2);
+  EXPECT_EQ(c.rate_control.minstrel_ht_wait, 30u);
+  EXPECT_EQ(c.rate_control.ideal_loss, 0.05);
   for (const agents::AgentConfig& agent : again.simulation.agents) {
     EXPECT_EQ(agent.radio.standard, radio::Standard::kIeee80211b);
   }
