@@ -15,8 +15,7 @@ using namespace std::chrono_literals;
 
 struct RatedLink {
   PeerRow row;
-  double sum = 0;  ///< Mb/s, of the peer's seeds.
-  int seeds = 0;
+  std::vector<double> mbps{};  ///< Of the peer's seeds.
 };
 
 std::string name_of_rated(const PeerRow& row) {
@@ -29,8 +28,7 @@ std::vector<RatedLink> rated_links() {
   std::map<std::string, RatedLink> links;
   for (const PeerRow& row : read_peer("ht_rates_ns3.csv")) {
     RatedLink& link = links.try_emplace(name_of_rated(row), RatedLink{row}).first->second;
-    link.sum += std::stod(row.at("goodput_mbps"));
-    ++link.seeds;
+    link.mbps.push_back(std::stod(row.at("goodput_mbps")));
   }
   std::vector<RatedLink> all;
   for (const auto& [name, link] : links) all.push_back(link);
@@ -77,6 +75,9 @@ double rated_goodput(const PeerRow& row, std::uint64_t seed) {
 class HtRates : public testing::TestWithParam<RatedLink> {};
 
 // ideal: 1 %. minstrel_ht: 3 %; where it samples, and when, is drawn by each side for itself.
+// The median of the peer's seeds: at 48 m of ac its first still sends MCS 2 in 40 MHz after 40 s,
+// as it samples each of the 30 modes twice in 10 s, and one in 80 MHz whose first sample failed
+// needs six. Others have found MCS 1 in 80 MHz by then.
 TEST_P(HtRates, AreNearThePeers) {
   const RatedLink& link = GetParam();
   const bool is_ideal = link.row.at("manager") == "ideal";
@@ -85,7 +86,9 @@ TEST_P(HtRates, AreNearThePeers) {
   for (int seed = 1; seed <= seeds; ++seed) {
     ours += rated_goodput(link.row, static_cast<std::uint64_t>(seed)) / seeds;
   }
-  const double theirs = link.sum / link.seeds;
+  std::vector<double> peers = link.mbps;
+  std::ranges::sort(peers);
+  const double theirs = peers[peers.size() / 2];
   RecordProperty("mbps", std::to_string(ours));
   RecordProperty("theirs", std::to_string(theirs));
   EXPECT_NEAR(ours, theirs, (is_ideal ? 0.01 : 0.03) * theirs);
