@@ -380,7 +380,7 @@ class RadioKeys(Case):
                    stations=SATURATED, time="1 s")
         self.falls("ideal_loss", [1e-6, 0.9],
                    lambda run: run.one("SELECT min(airtime_ns) FROM frames WHERE class = 'unicast'"),
-                   radio=(*radio, "rate_control: ideal", "noise_floor: -64 dBm"), stations=SATURATED)
+                   radio=(*radio, "rate_control: ideal", "noise_floor: -65 dBm"), stations=SATURATED)
 
     # Access points: a is one.
 

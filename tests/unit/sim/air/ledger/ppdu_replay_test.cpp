@@ -168,7 +168,7 @@ TEST_P(Saturated, TsharkReadsEveryFrameAsItIsInTheRecord) {
 
 TEST_P(Saturated, TsharkReadsTheBitmapsOfBlockAcks) {
   if (tests::output_of("command -v tshark").empty()) GTEST_SKIP() << "tshark is not installed";
-  SaturatedReplay replay(GetParam(), 0.1);
+  SaturatedReplay replay(GetParam(), 0.3);
   replay.run(3s);
   const std::string fields =
       std::string(kSubtypeSql) + " || ',' || " + address_sql("receiver") +
