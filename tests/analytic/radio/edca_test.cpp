@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kSeeds = 10;
+constexpr int kSeeds = 6;
 
 /// ERP-OFDM at 54 Mb/s with EDCA, as in edca_ns3.csv.
 RadioConfig qos_g54(const PeerRow& row) {

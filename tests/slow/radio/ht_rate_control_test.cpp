@@ -75,9 +75,8 @@ double rated_goodput(const PeerRow& row, std::uint64_t seed) {
 class HtRates : public testing::TestWithParam<RatedLink> {};
 
 // ideal: 1 %. minstrel_ht: 3 %; where it samples, and when, is drawn by each side for itself.
-// The median of the peer's seeds: at 48 m of ac its first still sends MCS 2 in 40 MHz after 40 s,
-// as it samples each of the 30 modes twice in 10 s, and one in 80 MHz whose first sample failed
-// needs six. Others have found MCS 1 in 80 MHz by then.
+// The median of the peer's seeds: at 48 m of ac the first of three has 33.4 Mb/s, the others 45.7
+// and 45.6. It sends MCS 2 in 40 MHz after 40 s, where the others have found MCS 1 in 80 MHz.
 TEST_P(HtRates, AreNearThePeers) {
   const RatedLink& link = GetParam();
   const bool is_ideal = link.row.at("manager") == "ideal";
