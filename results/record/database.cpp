@@ -63,7 +63,7 @@ Database::Database(const std::filesystem::path& file, Mode mode, WhileBusy while
 void Database::open(int how) {
   constexpr int kReadOnly = SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX;
   // Without counting all memory, for which each allocation would lock a mutex.
-  [[maybe_unused]] static const int kUncounted = sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0);
+  [[maybe_unused]] static const int uncounted = sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0);
   int result = sqlite3_open_v2(name_.c_str(), &handle_, how | SQLITE_OPEN_NOMUTEX, nullptr);
   if (result == SQLITE_CANTOPEN && (how & SQLITE_OPEN_CREATE) == 0) {
     sqlite3_close(handle_);

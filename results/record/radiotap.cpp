@@ -126,7 +126,9 @@ hal::Bytes with_radiotap(const sim::radio::Frame& frame, const RadiotapFields& f
   if (fields.noise_dbm) out.push_back(whole_dbm(*fields.noise_dbm));
   present |= put_mode(out, frame, fields.ampdu);
   out[2] = static_cast<std::uint8_t>(out.size());
-  for (int i = 0; i < 4; ++i) out[4 + i] = static_cast<std::uint8_t>(present >> (8 * i));
+  for (std::size_t i = 0; i < 4; ++i) {
+    out[4 + i] = static_cast<std::uint8_t>(present >> (8 * i));
+  }
 
   const hal::Bytes mpdu = sim::radio::encode(frame);
   out.insert(out.end(), mpdu.begin(), mpdu.end());

@@ -79,15 +79,22 @@ class IpRoutes {
     if (via && !has_network(*via)) names.mistake("via", fmt::format("{} has no network", row.via));
     const std::vector<IpDestination> to = destinations(names, row.to);
     if (!names.is_good()) return;
+    const int count = set(names, at, to, via);
+    if (count > 0 || !names.is_good()) return;
+    const bool is_via = at.size() == 1 && via == at.front();
+    names.mistake(is_via ? "via" : "to", is_via ? fmt::format("{} would send to itself", row.via)
+                                                : "gives no agent a route to another one");
+  }
+
+  /// @return number of routes to other agents, or to networks.
+  int set(RouteNames& names, const std::vector<Index>& at, const std::vector<IpDestination>& to,
+          std::optional<Index> via) {
     int count = 0;
     for (const Index agent : at) {
       if (agent == via) continue;
       for (const IpDestination& one : to) count += set(names, agent, one, via) ? 1 : 0;
     }
-    if (count > 0 || !names.is_good()) return;
-    const bool is_via = at.size() == 1 && via == at.front();
-    names.mistake(is_via ? "via" : "to", is_via ? fmt::format("{} would send to itself", row.via)
-                                                : "gives no agent a route to another one");
+    return count;
   }
 
   /// @return whether it is a route to another agent, or to a network.

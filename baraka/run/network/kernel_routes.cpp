@@ -36,13 +36,25 @@ KernelRoute to_ipv6_of(hal::AgentId to) {
           .destination = programs::netns::unique_local_address(to.value)};
 }
 
+/// The routes to one destination, of each version of IP, without their gateways.
+std::vector<KernelRoute> destinations_of(const IpRoute& one, const std::vector<AgentConfig>& all) {
+  if (one.to == hal::AgentId{}) {
+    return {{.is_ipv6 = one.network.is_ipv6,
+             .prefix = one.network.prefix,
+             .destination = one.network.address}};
+  }
+  const NetworkConfig& destination = network_of(one.to, all);
+  std::vector<KernelRoute> to{to_ipv4_of(destination)};
+  if (speaks_ipv6(destination)) to.push_back(to_ipv6_of(one.to));
+  return to;
+}
+
 }  // namespace
 
 std::vector<KernelRoute> kernel_routes(const AgentConfig& agent,
                                        const std::vector<AgentConfig>& all) {
   std::vector<KernelRoute> routes;
   for (const IpRoute& one : agent.network->routes) {
-    std::vector<KernelRoute> to;
     bool has_ipv6 = true;
     std::uint32_t gateway = 0;
     if (one.via != hal::AgentId{}) {
@@ -50,16 +62,7 @@ std::vector<KernelRoute> kernel_routes(const AgentConfig& agent,
       has_ipv6 = speaks_ipv6(via);
       if (one.via != one.to) gateway = via.address;
     }
-    if (one.to == hal::AgentId{}) {
-      to.push_back({.is_ipv6 = one.network.is_ipv6,
-                    .prefix = one.network.prefix,
-                    .destination = one.network.address});
-    } else {
-      const NetworkConfig& destination = network_of(one.to, all);
-      to.push_back(to_ipv4_of(destination));
-      if (speaks_ipv6(destination)) to.push_back(to_ipv6_of(one.to));
-    }
-    for (KernelRoute& route : to) {
+    for (KernelRoute& route : destinations_of(one, all)) {
       route.via = one.via.value;
       route.gateway = gateway;
       if (has_ipv6 || !route.is_ipv6) routes.push_back(route);

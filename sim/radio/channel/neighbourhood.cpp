@@ -13,10 +13,6 @@ namespace {
 /// range to skip.
 constexpr double kMarginShare = 0.1;
 
-/// Cells along the distance up to which links are kept. More: fewer pairs out of range are kept,
-/// but stations change cells more often.
-constexpr int kCellsInReach = 4;
-
 /// Range of the strongest transmitter [m]; above 0, so that there is a grid even without stations.
 double longest_reach(const Propagation& propagation,
                      const std::vector<Neighbourhood::Antenna>& antennas) {

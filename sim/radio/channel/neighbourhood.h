@@ -86,6 +86,10 @@ class Neighbourhood {
   void forget(StationIndex transmitter);
 
  private:
+  /// Cells along the distance up to which links are kept. More: fewer pairs out of range are kept,
+  /// but stations change cells more often.
+  static constexpr int kCellsInReach = 4;
+
   struct Station {
     Site site;
     hal::Milliwatts radiated;

@@ -9,9 +9,10 @@ BssMac::BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<
     : MacBase(context),
       config_(config),
       dcf_(std::move(dcf)),
-      most_handed_(config.qos ? std::min<std::size_t>(2 * config.aggregation.block_ack_window,
-                                                      config.contention.queue_limit)
-                              : 1) {
+      most_handed_(config.qos
+                       ? std::min<std::size_t>(std::size_t{2} * config.aggregation.block_ack_window,
+                                               config.contention.queue_limit)
+                       : 1) {
   dcf_->set_listener(*this);
 }
 

@@ -192,6 +192,13 @@ std::shared_ptr<const BlockAckFields> get_block_ack(View mpdu) {
   return fields;
 }
 
+Frame with_block_ack(Frame control, View mpdu) {
+  if (control.type == FrameType::kBlockAckRequest || control.type == FrameType::kBlockAck) {
+    control.block_ack = get_block_ack(mpdu);
+  }
+  return control;
+}
+
 /// Reads the fields after the second address. @return what is wrong; empty if nothing is.
 std::string get_rest(View mpdu, Frame& frame) {
   const auto address3 = frame.ds == Ds::kTo ? get_destination(mpdu.subspan(16), frame)
@@ -275,10 +282,7 @@ hal::Result<Frame> decode(View mpdu) {
   if (!receiver || !transmitter) return wrong("an address is not 02:00:00:00:hh:ll");
   frame.receiver = *receiver;
   frame.transmitter = *transmitter;
-  if (*type == FrameType::kBlockAckRequest || *type == FrameType::kBlockAck) {
-    frame.block_ack = get_block_ack(mpdu);
-  }
-  if (is_control(*type)) return frame;
+  if (is_control(*type)) return with_block_ack(std::move(frame), mpdu);
   if (std::string problem = get_rest(mpdu, frame); !problem.empty())
     return wrong(std::move(problem));
   return frame;
