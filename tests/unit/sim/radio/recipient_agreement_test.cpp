@@ -142,6 +142,64 @@ TEST(Originator, SendsOneByOneWhenTheAgreementIsForgotten) {
   EXPECT_EQ(air.log.starts.back().frame.type, FrameType::kBlockAck) << "they have agreed again";
 }
 
+// The answer to the first request is lost, as station 2 goes off; the next request comes with the
+// first data after 200 ms.
+TEST(Originator, AsksAgainAfter200ms) {
+  Air air(Profile::kIeee80211n);
+  air.add_line(2, 30);
+  air.build();
+  std::vector<hal::Duration> asked;
+  for (int i = 0; i < 40; ++i) air.at(i * 10ms, [&air] { air.send(1, 2, 100); });
+  air.at(160us, [&air] { air.sap(2).set_radio(false); });
+  air.at(5ms, [&air] { air.sap(2).set_radio(true); });
+  air.run(1s);
+  for (const Log::Start& one : air.log.starts) {
+    const Frame& frame = one.frame;
+    if (frame.type == FrameType::kAction && frame.transmitter.value == 1 && !frame.retry) {
+      asked.push_back(one.at.time_since_epoch());
+    }
+  }
+  ASSERT_EQ(asked.size(), 2U);
+  EXPECT_LT(asked[0], 1ms);
+  EXPECT_GE(asked[1] - asked[0], 200ms);
+  EXPECT_LT(asked[1] - asked[0], 215ms);
+}
+
+/// How long after the end of a frame of station 1 that nobody answers a station sends, whose own
+/// broadcast came during the frame. It is 250 m away: below the energy thresholds, above that of
+/// carrier sense.
+hal::Duration waits_after(Standard standard) {
+  Air air(Profile::kIeee80211n);
+  DcfConfig& dcf = *dcf_of(air.config);
+  dcf.propagation.propagation_delay = false;
+  dcf.aggregation.max_ampdu = 0;
+  dcf.protection = ProtectionKind::kNone;
+  dcf.contention.short_retry_limit = 1;
+  dcf.contention.cw_min = 0;
+  dcf.contention.cw_max = 0;
+  for (AccessParameters& one : dcf.edca.categories) one.cw_min = one.cw_max = 0;
+  air.add_line(2, 5);
+  air.add({250, 0, 0});
+  air.station_config(3).standard = standard;
+  air.build();
+  air.sap(2).set_radio(false);
+  air.send(1, 2, 1000);
+  air.at(50us, [&air] { air.broadcast(3, 10); });
+  air.run(10ms);
+  EXPECT_EQ(air.log.starts.size(), 2U);
+  const Log::Start& data = air.log.starts.at(0);
+  EXPECT_EQ(data.frame.mode->modulation_class(), ModulationClass::kHt);
+  return air.log.starts.at(1).at - (data.at + data.frame.airtime);
+}
+
+// A station of 802.11g hears preamble and L-SIG of an HT frame: it keeps quiet to the end and then
+// waits for EIFS: SIFS, an ACK at 1 Mb/s, DIFS. One of 802.11b hears no such frame, and sends in
+// it.
+TEST(Capabilities, OlderStationsDeferToFramesWhosePreambleTheyHear) {
+  EXPECT_EQ(waits_after(Standard::kIeee80211g), 10us + 304us + 28us);
+  EXPECT_LT(waits_after(Standard::kIeee80211b), 0us);
+}
+
 // Table 10-1 and table 9-155: from the end of a frame to that of SIFS, AIFSN slots and no backoff.
 TEST(Edca, EachUserPriorityWaitsForTheAifsOfItsCategory) {
   constexpr std::array<int, 8> kAifsn{3, 7, 7, 3, 2, 2, 2, 2};
