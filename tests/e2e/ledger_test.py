@@ -230,7 +230,8 @@ class Ledger(Case):
         scenario.write_text(SCENARIO.format(
             load=TESTS / "cyclone_load", environment=f'CYCLONEDDS_URI: "{CYCLONE.format("udp")}"', size=3000, loss=0,
             retries=7, count=80, seconds=12, longer=13, end=14))
-        run = self.start(scenario, "--inspect-domain", domain)
+        # In lock-step the run would be over before the readers are found.
+        run = self.start(scenario, "--inspect-domain", domain, "--max-speed", "2")
         echoes = [Program("baraka", "topic", "echo", "--domain", domain, topic, "--count", "1")
                   for topic in ("rt/baraka/air_topics", "rt/baraka/air_kinds")]
         for echo in echoes:
