@@ -71,6 +71,15 @@ class DdsBenches(Case):
         self.assertEqual({row["never"] for row in found}, {"0"}, printed)
         self.assertRegex(printed, r"air time grows as N\^\d")
 
+    def test_access_point(self):
+        printed = self.measure("access_point", "--short")
+        found = {(row["radio"], row["topic"]): row for row in rows(printed)}
+        self.assertEqual(len(found), 4, printed)
+        late = [float(found[radio, "stream"]["p50, ms"]) for radio in ("g, 54 Mb/s", "ac, 80 MHz")]
+        self.assertGreater(late[0], 10 * late[1], "two times 19.2 Mb/s are more than g carries")
+        self.assertEqual(found["ac, 80 MHz", "stream"]["delivered"], "1.00", printed)
+        self.again("access_point", printed, "--short")
+
     def test_what_if(self):
         printed = self.measure("qos", "--short")
         found = rows(printed)
