@@ -194,7 +194,11 @@ inline void queue_limit(Fields& io, std::uint32_t& limit) {
 
 inline void keys_of(Fields& io, radio::ContentionConfig& c) {
   io.duration({"slot", "Slot time of the backoff.", "20 us"}, kShortTime, c.slot);
-  io.duration({"sifs", "Short interframe space (SIFS).", "10 us"}, kShortTime, c.sifs);
+  io.duration({"sifs",
+               "Short interframe space (SIFS). With n, ac and ax its default follows the band of "
+               "the channel.",
+               "10 us"},
+              kShortTime, c.sifs);
   io.count({"cw_min", "Smallest contention window in slots, one less than a power of two.", "31"},
            0, kMaxWindow, c.cw_min);
   io.count({"cw_max", "Largest contention window in slots, one less than a power of two.", "1023"},

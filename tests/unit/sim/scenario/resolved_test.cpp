@@ -579,5 +579,22 @@ TEST(RadioFiles, SpellOutTheDefaultsOfTheirProfiles) {
   }
 }
 
+// SIFS is 10 us in 2.4 GHz and 16 us in 5 GHz (IEEE Std 802.11-2020, 19.4.4 and 17.4.4).
+TEST(RadioFiles, LeaveSifsToTheBandOfTheChannel) {
+  using namespace std::chrono_literals;
+  const std::string config = CONFIG_DIR;
+  const auto sifs_of = [&](const std::string& profile, const std::string& channel) {
+    const Scenario scenario =
+        load_scenario(config + "/scenarios/two_motes.yaml",
+                      {"radio.include=" + config + "/radios/" + profile + ".yaml",
+                       "radio.width=20 MHz", "radio.channel=" + channel});
+    return dcf_of(scenario.simulation.radio)->contention.sifs;
+  };
+  for (const std::string profile : {"ieee80211n", "ieee80211ax"}) {
+    EXPECT_EQ(sifs_of(profile, "1"), 10us) << profile;
+    EXPECT_EQ(sifs_of(profile, "36"), 16us) << profile;
+  }
+}
+
 }  // namespace
 }  // namespace sim::scenario
