@@ -9,6 +9,8 @@
 namespace sim::radio {
 namespace {
 
+/// So many are always in the cache.
+constexpr std::size_t kFewRadios = 64;
 constexpr StationIndex kNoStation = std::numeric_limits<StationIndex>::max();
 
 }  // namespace
@@ -91,20 +93,19 @@ void Channel::start_asked(StationIndex receiver) {
 
 void Channel::add_faint(const Ppdu& ppdu, StationIndex from, std::span<const FaintLink> links) {
   const hal::Time now = events_.now();
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    prefetch_faint(links, i);
+  const std::size_t count = links.size();
+  // Of those ahead first the FaintSignals are fetched, later the memory to which they point.
+  constexpr std::size_t kFirst = 32, kSecond = 16;
+  const std::size_t some = std::min(count, kFirst);
+  for (std::size_t i = 0; i < some; ++i) __builtin_prefetch(&faint_[links[i].receiver], 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + kFirst < count) __builtin_prefetch(&faint_[links[i + kFirst].receiver], 1);
+    if (i + kSecond < count) faint_[links[i + kSecond].receiver].prefetch();
     const FaintLink& link = links[i];
     const bool alarms =
         faint_[link.receiver].add(from, now, hal::Duration{link.delay}, ppdu.airtime, link.power);
     if (alarms) radios_[link.receiver]->watch_energy();
   }
-}
-
-/// Prefetches for the links ahead: first the FaintSignals, later the memory to which they point.
-void Channel::prefetch_faint(std::span<const FaintLink> links, std::size_t now) const {
-  constexpr std::size_t kFirst = 24, kSecond = 12;
-  if (now + kFirst < links.size()) __builtin_prefetch(&faint_[links[now + kFirst].receiver], 1);
-  if (now + kSecond < links.size()) faint_[links[now + kSecond].receiver].prefetch();
 }
 
 void Channel::start_everywhere(Transmission& transmission) {
@@ -179,6 +180,7 @@ void Channel::work_off(Transmission& transmission, Phase phase) {
 /// Prefetches for the receivers ahead: first the radio, then the memory to which it points.
 void Channel::prefetch(const std::vector<Transmission::Receiver>& receivers,
                        std::size_t now) const {
+  if (radios_.size() <= kFewRadios) return;
   if (now + 2 < receivers.size()) {
     receivers[now + 2].radio->prefetch();
     __builtin_prefetch(&faint_[receivers[now + 2].index]);

@@ -51,7 +51,6 @@ class Channel {
   void start_faint(const Ppdu& ppdu, StationIndex from, const Links& links);
   void start_asked(StationIndex receiver);
   void add_faint(const Ppdu& ppdu, StationIndex from, std::span<const FaintLink> links);
-  void prefetch_faint(std::span<const FaintLink> links, std::size_t now) const;
   void prefetch(const std::vector<Transmission::Receiver>& receivers, std::size_t now) const;
   void start_everywhere(Transmission& transmission);
   void start_one_by_one(Transmission& transmission);

@@ -7,10 +7,6 @@ namespace {
 
 constexpr std::size_t kSmallest = 8;
 
-std::uint32_t nanoseconds(hal::Duration duration) {
-  return static_cast<std::uint32_t>(duration.count());
-}
-
 }  // namespace
 
 FaintSignals::FaintSignals(FaintFrames& frames, StationIndex self, double alarm)
@@ -18,24 +14,23 @@ FaintSignals::FaintSignals(FaintFrames& frames, StationIndex self, double alarm)
   level().alarm = alarm;
 }
 
-bool FaintSignals::add(StationIndex from, hal::Time sent, hal::Duration delay,
-                       hal::Duration airtime, double power) {
+/// If there may be no room, or frames of stations are asked for.
+bool FaintSignals::add_with_care(StationIndex from, hal::Time sent, hal::Duration delay,
+                                 hal::Duration airtime, double power) {
   if (signals_.size() == signals_.capacity()) make_room(sent);
-  const std::uint32_t order = asks_ ? frames_->pass() : 0;
-  signals_.push_back({.start = sent + delay,
-                      .power = power,
-                      .airtime = nanoseconds(airtime),
-                      .delay = nanoseconds(delay),
-                      .order = order,
-                      .from = static_cast<std::uint16_t>(from),
-                      .is_added = true});
+  append(from, sent, delay, airtime, power);
   if (asks_) {
+    signals_.back().order = frames_->pass();
     level().bound += power;
     return may_alarm(sent);
   }
   bound_ += power;
-  if (bound_ < alarm_) return false;
-  forget(sent);
+  return bound_ >= alarm_ && may_alarm_after(sent);
+}
+
+/// When the bound without asking has reached the alarm.
+bool FaintSignals::may_alarm_after(hal::Time now) {
+  forget(now);
   return bound_ >= alarm_;
 }
 
@@ -102,7 +97,8 @@ void FaintSignals::cut(StationIndex from, hal::Time sent, hal::Time cut) {
   for (FaintSignal& signal : signals_) {
     const bool is_it = signal.from == static_cast<std::uint16_t>(from) &&
                        signal.start == sent + hal::Duration{signal.delay};
-    if (is_it) signal.airtime = std::min(signal.airtime, nanoseconds(cut - sent));
+    if (is_it)
+      signal.airtime = std::min(signal.airtime, static_cast<std::uint32_t>((cut - sent).count()));
   }
 }
 

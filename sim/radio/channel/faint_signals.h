@@ -100,6 +100,11 @@ class alignas(64) FaintSignals {
   bool is_kept() const { return needed_from_ != hal::Time::max(); }
   FaintFrames::Level& level() const { return frames_->level(self_); }
   bool may_alarm(hal::Time now);
+  bool may_alarm_after(hal::Time now);
+  bool add_with_care(StationIndex from, hal::Time sent, hal::Duration delay, hal::Duration airtime,
+                     double power);
+  void append(StationIndex from, hal::Time sent, hal::Duration delay, hal::Duration airtime,
+              double power);
   void make_room(hal::Time now);
   void bring_up_to(hal::Time now);
   void forget(hal::Time now);
@@ -113,6 +118,27 @@ class alignas(64) FaintSignals {
   StationIndex self_;
   bool asks_;  ///< Frames of stations are asked for; else each is added.
 };
+
+// Called for each of hundreds of receivers of a frame; what hardly ever happens is elsewhere.
+inline bool FaintSignals::add(StationIndex from, hal::Time sent, hal::Duration delay,
+                              hal::Duration airtime, double power) {
+  if (asks_ || signals_.size() == signals_.capacity()) [[unlikely]] {
+    return add_with_care(from, sent, delay, airtime, power);
+  }
+  append(from, sent, delay, airtime, power);
+  bound_ += power;
+  if (bound_ < alarm_) [[likely]]
+    return false;
+  return may_alarm_after(sent);
+}
+
+inline void FaintSignals::append(StationIndex from, hal::Time sent, hal::Duration delay,
+                                 hal::Duration airtime, double power) {
+  // In place: a copy of members just written one by one would wait for them.
+  signals_.emplace_back(sent + delay, power, static_cast<std::uint32_t>(airtime.count()),
+                        static_cast<std::uint32_t>(delay.count()), 0u,
+                        static_cast<std::uint16_t>(from), true);
+}
 
 static_assert(sizeof(FaintSignals) == 64);
 

@@ -25,21 +25,21 @@ void ChannelAccess::add(const AccessParameters& parameters, const DcfTiming& tim
                          .aifs = timing.sifs + parameters.aifsn * timing.slot,
                          .cca_time = timing.cca_time,
                          .counts_first = counts_first};
-  functions_[count_].emplace(*this, events_, agent_, Function::Settings{count_, parameters, own});
-  ++count_;
-}
-
-hal::Duration ChannelAccess::txop_limit(ContentionFunction function) const {
-  return functions_[function]->txop_limit;
+  if (!first_) {
+    first_.emplace(*this, events_, agent_, Function::Settings{0, parameters, own});
+    return;
+  }
+  others_.push_back(std::make_unique<Function>(*this, events_, agent_,
+                                               Function::Settings{functions(), parameters, own}));
 }
 
 void ChannelAccess::request(ContentionFunction function) {
-  Function& one = *functions_[function];
+  Function& one = at(function);
   one.backoff.request(one.window.value());
 }
 
 void ChannelAccess::draw(ContentionFunction function) {
-  Function& one = *functions_[function];
+  Function& one = at(function);
   one.backoff.draw(one.window.value());
 }
 
@@ -64,7 +64,7 @@ void ChannelAccess::reset(bool busy) {
 }
 
 void ChannelAccess::on_access(ContentionFunction function) {
-  if (count_ == 1) return listener_.on_access(function);
+  if (others_.empty()) return listener_.on_access(function);
   ready_.push_back(function);
   // The backoffs of other functions that end now come before this event.
   if (ready_.size() == 1) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -40,15 +40,15 @@ class ChannelAccess {
   ChannelAccess(EventQueue& events, hal::AgentId agent, const Rules& rules,
                 const hal::RandomStream& random, ChannelAccessListener& listener);
 
-  std::size_t functions() const { return count_; }
+  std::size_t functions() const { return 1 + others_.size(); }
   /// Longest time for which the function may hold the medium; 0: one frame exchange.
-  hal::Duration txop_limit(ContentionFunction function) const;
+  hal::Duration txop_limit(ContentionFunction function) { return at(function).txop_limit; }
 
   /// As in Backoff.
   void request(ContentionFunction function);
   void draw(ContentionFunction function);
-  void reset_window(ContentionFunction function) { functions_[function]->window.reset(); }
-  void grow_window(ContentionFunction function) { functions_[function]->window.grow(); }
+  void reset_window(ContentionFunction function) { at(function).window.reset(); }
+  void grow_window(ContentionFunction function) { at(function).window.grow(); }
 
   /// Report the state of the medium, by physical and virtual carrier sense, to all functions.
   void on_busy();
@@ -93,12 +93,16 @@ class ChannelAccess {
   /// Calls `act` with each function.
   template <class Act>
   void each(Act act) {
-    for (std::size_t i = 0; i < count_; ++i) act(*functions_[i]);
+    act(*first_);
+    for (const auto& other : others_) act(*other);
+  }
+  Function& at(ContentionFunction function) {
+    return function == 0 ? *first_ : *others_[function - 1];
   }
 
-  std::size_t count_ = 0;
-  std::array<std::optional<Function>, kAccessCategories> functions_;  ///< In place, for the cache.
-  std::vector<ContentionFunction> ready_;  ///< Those whose backoffs end now.
+  std::optional<Function> first_;                  ///< In place, for the cache.
+  std::vector<std::unique_ptr<Function>> others_;  ///< With EDCA.
+  std::vector<ContentionFunction> ready_;          ///< Those whose backoffs end now.
 };
 
 }  // namespace sim::radio

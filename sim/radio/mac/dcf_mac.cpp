@@ -24,6 +24,7 @@ DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
       access_(context.events, context.agent, {config, DcfTiming(config, context.modes)},
               streams.backoff, *this),
       carrier_(context.events, radio, access_, config, context.modes),
+      sequence_({context.events, radio, carrier_, context.modes}, frames_, originator_, *this),
       frames_(context.lengths, context.modes, context.agent),
       originator_({.config = config,
                    .modes = context.modes,
@@ -33,8 +34,7 @@ DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
                    .functions = access_.functions(),
                    .rates = streams.rates},
                   frames_),
-      recipient_(context.events, context.agent, config, frames_, *this),
-      sequence_({context.events, radio, carrier_, context.modes}, frames_, originator_, *this) {
+      recipient_(context.events, context.agent, config, frames_, *this) {
   radio_.attach(*this);
 }
 

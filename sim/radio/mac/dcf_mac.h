@@ -70,10 +70,10 @@ class DcfMac final : public MacBase,
   // What every frame on the air needs comes first, for the cache.
   ChannelAccess access_;
   CarrierSense carrier_;
+  FrameSequence sequence_;
   FrameFactory frames_;
   Originator originator_;
   Recipient recipient_;
-  FrameSequence sequence_;
   hal::Time txop_end_{};  ///< Of the current TXOP, if its function has a limit.
 };
 

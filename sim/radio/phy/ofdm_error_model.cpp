@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include "hal/types/math.h"
+#include "sim/radio/phy/known_results.h"
 
 namespace sim::radio {
 namespace {
@@ -75,37 +74,13 @@ double bit_error(const Coding& coding, double sinr) {
                        c.weight * hal::math::erfc(std::sqrt(sinr / c.divisor)));
 }
 
-/// Results of bit_error(): between stations that stand still the same few ratios occur again and
-/// again.
-class BitErrors {
- public:
-  double at(const Coding& coding, double sinr) {
-    Entry& entry = entries_[place_of(sinr)];
-    if (entry.sinr != sinr || entry.coding != coding)
-      entry = {sinr, bit_error(coding, sinr), coding};
-    return entry.error;
-  }
-
- private:
-  static constexpr int kBits = 10;
-  struct Entry {
-    double sinr = -1, error = 0;  // no SINR is negative
-    Coding coding{};
-  };
-  static std::size_t place_of(double sinr) {
-    constexpr std::uint64_t kMix = 0x9e37'79b9'7f4a'7c15;
-    return std::bit_cast<std::uint64_t>(sinr) * kMix >> (64 - kBits);
-  }
-
-  std::array<Entry, std::size_t{1} << kBits> entries_{};
-};
-
 }  // namespace
 
 double ofdm_success_probability(double sinr, const Coding& coding, double bits) {
   if (bits <= 0) return 1;
-  static thread_local BitErrors known;
-  const double right = 1 - known.at(coding, sinr);
+  static thread_local KnownResults<Coding, 10> known;
+  const double right =
+      1 - known.of(sinr, coding, [&coding](double ratio) { return bit_error(coding, ratio); });
   return right >= 1 ? 1 : hal::math::pow(right, bits);
 }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "hal/types/check.h"
 #include "hal/types/math.h"
 #include "sim/radio/channel/channel.h"
 #include "sim/radio/channel/random_loss.h"
+#include "sim/radio/phy/known_results.h"
 
 namespace sim::radio {
 namespace {
@@ -16,6 +18,11 @@ void prefetch_bytes(const void* from, std::size_t size) {
   constexpr std::size_t kCacheLine = 64;
   const auto* const bytes = static_cast<const char*>(from);
   for (std::size_t i = 0; i < size; i += kCacheLine) __builtin_prefetch(bytes + i, 1);
+}
+
+hal::Decibels to_decibels(double ratio) {
+  static thread_local KnownResults<std::monostate, 8> logarithms;
+  return hal::Decibels{10 * logarithms.of(ratio, {}, hal::math::log10)};
 }
 
 }  // namespace
@@ -45,8 +52,10 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
 void Radio::prefetch() const { prefetch_bytes(this, sizeof *this); }
 
 void Radio::prefetch_listener() const {
-  constexpr std::size_t kMac = 512;  // approximate size of a MAC
-  prefetch_bytes(listener_, kMac);
+  // Approximate extent of what a MAC needs for each frame, before and after its RadioListener.
+  constexpr std::ptrdiff_t kBefore = 128;
+  constexpr std::size_t kMac = 640;
+  prefetch_bytes(reinterpret_cast<const char*>(listener_) - kBefore, kBefore + kMac);
   prefetch_bytes(signals_.data(), sizeof(Signal));
 }
 
@@ -223,14 +232,17 @@ void Radio::end_signal(const Ppdu& ppdu, bool cut) {
   const bool was_held = held_ && &held_->ppdu() == &ppdu;
   ReceiveError error = ReceiveError::kBitError;
   hal::Decibels snr;
-  Verdicts verdicts(ppdu.parts.size(), signal.verdict.value_or(hal::Verdict::kPreambleMissed));
+  Verdicts verdicts;
+  for (std::size_t i = 0; i < ppdu.parts.size(); ++i) {
+    verdicts.push_back(signal.verdict.value_or(hal::Verdict::kPreambleMissed));
+  }
   if (was_held) {
     error = judge_held(verdicts);
-    snr = hal::Decibels{10 * hal::math::log10(held_->min_sinr())};
+    snr = to_decibels(held_->min_sinr());
     release();
     recall_all();
   }
-  strike(signal, cut, verdicts);
+  if (cut || loss_ != nullptr) strike(signal, cut, verdicts);
   sense();
   report(signal, verdicts, was_held ? std::optional(snr) : std::nullopt);
   const bool some = std::ranges::find(verdicts, hal::Verdict::kDelivered) != verdicts.end();

@@ -44,8 +44,9 @@ Reception::Reception(const Ppdu& ppdu, double power, hal::Time start, hal::Time 
       locked_(locked),
       heard_until_(locked),
       width_(ppdu.mode->width() / kNoiseWidth),
-      min_sinr_(std::numeric_limits<double>::infinity()),
-      others_(ppdu.parts.size() - 1, 1.0) {}
+      min_sinr_(std::numeric_limits<double>::infinity()) {
+  if (ppdu.is_aggregate()) others_.resize(ppdu.parts.size() - 1, 1.0);
+}
 
 void Reception::hear(const ReceptionRules& rules, const Interference& interference, hal::Time now) {
   if (now == heard_until_) return;
