@@ -93,6 +93,14 @@ class Results:
         """Seconds that it simulated, and seconds that it took."""
         return {"simulated": float(self.line("simulated_s")), "wall": self.wall}
 
+    def check_programs(self):
+        """A run goes on without a program that fails, and would be measured as if it had sent nothing."""
+        for agent, program, status in self.query("select a.name, p.name, p.status from programs p join agents a using (agent) "
+                                                 "where p.status <> 0"):
+            log = self.folder / f"{agent}.{program}.log"
+            raise SystemExit(f"program {program} of {agent} ended with status {status}"
+                             f"{':' if log.exists() else ''}\n{log.read_text() if log.exists() else ''}")
+
     def query(self, sql):
         with contextlib.closing(sqlite3.connect(f"file:{self.folder / 'run.sqlite'}?mode=ro", uri=True)) as database:
             return database.execute(sql).fetchall()
@@ -137,4 +145,6 @@ def played(build, written, factor=None, seed=1, kept=None, timeout=None):
         results = Results(out, done, time.monotonic() - begin)
         if done.returncode != 0 and kept is not None:
             shutil.copytree(name, kept, dirs_exist_ok=True)
+        if (out / "run.sqlite").exists():
+            results.check_programs()
         yield results
