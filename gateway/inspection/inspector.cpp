@@ -243,6 +243,14 @@ void Inspector::publish_frame(hal::Time at, const FrameStart& frame) {
   sample.bits(frame.bits);
   sample.airtime(to_ros(frame.airtime));
   sample.skipped(frame.skipped);
+  sample.rate(frame.rate);
+  sample.modulation(std::string(frame.modulation));
+  sample.mcs(static_cast<std::int16_t>(frame.mcs));
+  sample.streams(static_cast<std::uint16_t>(frame.streams));
+  sample.width(static_cast<std::uint16_t>(frame.width_mhz));
+  sample.guard_interval(static_cast<std::uint16_t>(frame.guard_ns));
+  sample.access_category(std::string(frame.access_category));
+  sample.ampdu(frame.ampdu);
   writer.write();
 }
 

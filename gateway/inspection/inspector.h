@@ -95,6 +95,13 @@ class Inspector {
     std::uint32_t bits = 0;
     hal::Duration airtime{};
     std::uint32_t skipped = 0;  ///< Number of frames not published since the previous sample.
+    double rate = 0;            ///< bit/s; 0: not known.
+    std::string_view modulation{};
+    int mcs = -1;  ///< -1: it has none, nor what follows.
+    int streams = 0, width_mhz = 0;
+    std::int64_t guard_ns = 0;
+    std::string_view access_category{};  ///< Empty: no QoS data.
+    std::uint32_t ampdu = 0;             ///< As Frame::ampdu.
   };
   struct RouteEntry {
     std::string_view agent, destination, next_hop;

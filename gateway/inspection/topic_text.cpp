@@ -261,6 +261,14 @@ void put_members(Lines& out, const own::Frame_& m) {
   out.put("bits", m.bits());
   put(out, "airtime", m.airtime());
   out.put("skipped", m.skipped());
+  out.put("rate", m.rate());
+  out.put("modulation", m.modulation());
+  out.put("mcs", m.mcs());
+  out.put("streams", m.streams());
+  out.put("width", m.width());
+  out.put("guard_interval", m.guard_interval());
+  out.put("access_category", m.access_category());
+  out.put("ampdu", m.ampdu());
 }
 void put_members(Lines& out, const own::Route_& m) {
   put(out, "stamp", m.stamp());

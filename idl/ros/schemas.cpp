@@ -83,7 +83,8 @@ constexpr std::pair<std::string_view, std::string_view> kDefinitions[] = {
     {"baraka_msgs/Frame",
      "builtin_interfaces/Time stamp\nstring transmitter\nstring receiver\nstring frame_type\n"
      "uint16 sequence_number\nbool retry\nuint32 bits\nbuiltin_interfaces/Duration airtime\n"
-     "uint32 skipped\n"},
+     "uint32 skipped\nfloat64 rate\nstring modulation\nint16 mcs\nuint16 streams\nuint16 width\n"
+     "uint16 guard_interval\nstring access_category\nuint32 ampdu\n"},
     {"baraka_msgs/MessageFate",
      "builtin_interfaces/Time stamp\nstring sender\nuint32 id\nstring node\nstring fate\n"
      "string verdict\n"},

@@ -9,6 +9,10 @@ namespace {
 
 using idl::ros::to_ros;
 
+std::string text_or_empty(const record::Statement& row, int column) {
+  return row.is_null(column) ? std::string() : row.text(column);
+}
+
 baraka_msgs::msg::dds_::Frame_ frame_of(const McapParts& parts, std::int64_t at,
                                         const record::Statement& row) {
   const std::string kind = row.text(3);
@@ -22,6 +26,14 @@ baraka_msgs::msg::dds_::Frame_ frame_of(const McapParts& parts, std::int64_t at,
   frame.retry(row.integer(5) != 0);
   frame.bits(static_cast<std::uint32_t>(row.integer(6)));
   frame.airtime(to_ros(hal::Duration(row.integer(7))));
+  frame.rate(row.is_null(8) ? 0 : row.real(8));
+  frame.modulation(text_or_empty(row, 9));
+  frame.mcs(static_cast<std::int16_t>(row.is_null(10) ? -1 : row.integer(10)));
+  frame.streams(static_cast<std::uint16_t>(row.integer(11)));
+  frame.width(static_cast<std::uint16_t>(row.integer(12)));
+  frame.guard_interval(static_cast<std::uint16_t>(row.integer(13)));
+  frame.access_category(text_or_empty(row, 14));
+  frame.ampdu(static_cast<std::uint32_t>(row.integer(15)));
   return frame;
 }
 
@@ -97,7 +109,8 @@ std::string McapParts::name(std::int64_t agent) const {
 void add_network_streams(const McapParts& parts, McapStreams& streams) {
   streams.push_back(std::make_unique<McapStream>(
       parts.reader,
-      "SELECT at_ns, transmitter, receiver, class, sequence, retry, bits, airtime_ns FROM frames"
+      "SELECT at_ns, transmitter, receiver, class, sequence, retry, bits, airtime_ns, rate_bps,"
+      " modulation, mcs, streams, width_mhz, guard_ns, category, ampdu FROM frames"
       " ORDER BY at_ns, frame",
       [parts](std::int64_t at, const record::Statement& row) {
         parts.topics.publish(at, "/baraka/frames", frame_of(parts, at, row));

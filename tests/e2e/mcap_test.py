@@ -98,7 +98,7 @@ class Mcap(Exported):
 
     def test_our_own_definitions_are_those_of_the_idl(self):
         idl = (ROOT / "idl/inspect.idl").read_text()
-        known = {"octet": "uint8", "boolean": "bool", "double": "float64", "unsigned short": "uint16",
+        known = {"octet": "uint8", "short": "int16", "boolean": "bool", "double": "float64", "unsigned short": "uint16",
                  "unsigned long": "uint32", "builtin_interfaces::msg::dds_::Time_": "builtin_interfaces/Time",
                  "builtin_interfaces::msg::dds_::Duration_": "builtin_interfaces/Duration"}
         shown = pathlib.Path(ROOT / "idl/ros/schemas.cpp").read_text()
@@ -137,12 +137,15 @@ class Mcap(Exported):
         names = {65535: "everyone", 65534: "neighbours", **dict(self.query("SELECT agent, name FROM agents",
                                                                           self.result))}
         rows = sorted((at, names[a], names[b], kind if kind not in ("broadcast", "unicast") else "data",
-                       sequence, bool(retry), bits, airtime)
-                      for at, a, b, kind, sequence, retry, bits, airtime in self.query(
-                          "SELECT at_ns, transmitter, receiver, class, sequence, retry, bits, airtime_ns "
-                          "FROM frames", self.result))
+                       sequence, bool(retry), bits, airtime, *mode)
+                      for at, a, b, kind, sequence, retry, bits, airtime, *mode in self.query(
+                          "SELECT at_ns, transmitter, receiver, class, sequence, retry, bits, airtime_ns, "
+                          "ifnull(rate_bps, 0), ifnull(modulation, ''), ifnull(mcs, -1), ifnull(streams, 0), "
+                          "ifnull(width_mhz, 0), ifnull(guard_ns, 0), ifnull(category, ''), ampdu FROM frames", self.result))
         shown = sorted((stamp(m["stamp"]), m["transmitter"], m["receiver"], m["frame_type"],
-                        m["sequence_number"], m["retry"], m["bits"], stamp(m["airtime"]))
+                        m["sequence_number"], m["retry"], m["bits"], stamp(m["airtime"]),
+                        *(m[key] for key in ("rate", "modulation", "mcs", "streams", "width", "guard_interval",
+                                             "access_category", "ampdu")))
                        for _, m in self.decoded.on("/baraka/frames"))
         self.assertEqual(shown, rows)
         states = sorted((at, names[agent], state) for agent, at, state in self.query(

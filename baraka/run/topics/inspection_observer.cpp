@@ -7,6 +7,7 @@
 #include "gateway/inspection/inspected_readings.h"
 #include "hal/node/devices/channels.h"
 #include "hal/types/check.h"
+#include "results/record/frame_ppdu.h"
 #include "sim/air/air_summary.h"
 #include "sim/radio/mac/frame.h"
 
@@ -134,6 +135,7 @@ void InspectionObserver::on_frame_start(hal::Time at, const sim::radio::Frame& f
     ++frames_skipped_;
     return;
   }
+  const results::record::FramePpdu ppdu(frame);
   inspector_->publish_frame(at, {.transmitter = name(frame.transmitter),
                                  .receiver = name(frame.receiver),
                                  .type = sim::radio::name(frame.type),
@@ -141,7 +143,15 @@ void InspectionObserver::on_frame_start(hal::Time at, const sim::radio::Frame& f
                                  .retry = frame.retry,
                                  .bits = frame.air_length,
                                  .airtime = frame.airtime,
-                                 .skipped = frames_skipped_});
+                                 .skipped = frames_skipped_,
+                                 .rate = frame.mode != nullptr ? frame.mode->rate().value : 0,
+                                 .modulation = ppdu.modulation.value_or(""),
+                                 .mcs = ppdu.mcs.value_or(-1),
+                                 .streams = ppdu.streams.value_or(0),
+                                 .width_mhz = ppdu.width_mhz.value_or(0),
+                                 .guard_ns = ppdu.guard_ns.value_or(0),
+                                 .access_category = ppdu.category.value_or(""),
+                                 .ampdu = frame.ampdu});
   frame_shown_ = at;
   frames_skipped_ = 0;
 }

@@ -61,10 +61,20 @@ TEST(RosMessages, AFrameByHand) {
   frame.retry(true);
   frame.bits(5);
   frame.airtime(to_ros(hal::Duration(2'000'000'001)));
+  frame.rate(6.5e6);
+  frame.modulation("HE");
+  frame.mcs(-1);
+  frame.streams(2);
+  frame.width(80);
+  frame.guard_interval(800);
+  frame.access_category("VI");
+  frame.ampdu(9);
   EXPECT_EQ(hexadecimal_of(frame),
             packed("00010000 00000000 02010000 02000000 6100 0000 03000000 626300 00 04000000 "
                    "61636b00 0300 01 00 05000000 02000000 01000000"  // airtime
-                   "00000000"));
+                   "00000000 00000000 00000000a8cb5841"              // skipped, rate
+                   "03000000 484500 00 ffff 0200 5000 2003"          // HE, no MCS, 800 ns
+                   "03000000 564900 00 09000000"));
 }
 
 // A robot at (1, 2) that looks along y; its part, half a metre forward, is drawn at (1, 2.5).
