@@ -12,10 +12,13 @@ import pathlib
 import re
 import sys
 
+import aggregation
 import aodv
 import beacons
 import errors
+import he
 import hidden
+import ht_rates
 import line
 import more
 import overlap
@@ -30,7 +33,8 @@ from document import table
 
 PAGE = runs.ROOT / "docs/validation.md"
 FIGURES = runs.ROOT / "docs/validation"
-SECTIONS = (saturation, hidden, overlap, more, rates, ranges, errors, propagation, line, beacons, aodv)
+SECTIONS = (saturation, aggregation, he, hidden, overlap, more, rates, ht_rates, ranges, errors, propagation, line,
+            beacons, aodv)
 HEAD = """# Validation
 
 <!-- Written by `.ci/validate`; the texts are in tests/validation. -->
@@ -49,8 +53,8 @@ def measured(section, player, short):
 
 
 def text_of(section, rows):
-    source = f"\n\nns-3: `tests/analytic/radio/{section.FILE}`: {peer.origin(section.FILE)}" \
-        if hasattr(section, "FILE") else ""
+    files = getattr(section, "FILES", [section.FILE] if hasattr(section, "FILE") else [])
+    source = "".join(f"\n\nns-3: `tests/analytic/radio/{file}`: {peer.origin(file)}" for file in files)
     return (f"## {section.TITLE}\n\n{section.TEXT}{source}\n\n![{section.TITLE}](validation/{section.NAME}.svg)\n\n"
             f"{table(section.COLUMNS, rows)}\n")
 
