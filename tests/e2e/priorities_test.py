@@ -64,6 +64,32 @@ class Priorities(Case):
         self.assertEqual(self.of_frames("alarm"), [(None, None)])
         self.assertEqual(self.query("SELECT sender, id, receiver, transmissions FROM deliveries"), plain)
 
+    def test_observables_count_frames_and_delays_of_each_category(self):
+        self.play(*VOICE, "--set", "record.observables=[{name: radio.*.frames_sent.*, as: counter},"
+                  "{name: radio.*.block_ac*, as: counter}, {name: messages.sink.delay.*, on: change, as: counter}]",
+                  "--set", "radio={include: ../../config/radios/ieee80211n.yaml}")
+        kinds = {"best_effort": "BE", "voice": "VO", "background": "BK", "video": "VI"}
+        frames = dict(self.query("SELECT a.name || '.' || category, count(*) FROM frames JOIN agents a "
+                                 "ON a.agent = transmitter WHERE category NOT NULL GROUP BY 1"))
+        sums = {(name, agent): (count, last) for name, agent, count, last in self.query(
+            "SELECT o.name, a.name, count, last FROM observable_sums JOIN observables o USING (observable) "
+            "JOIN agents a USING (agent)")}
+        for agent in "alarm", "bulk", "relay", "sink":
+            for name, category in kinds.items():
+                self.assertEqual(sums[f"radio.frames_sent.{name}", agent][1], frames.get(f"{agent}.{category}", 0))
+        self.assertGreater(frames["relay.VO"], 300)
+        self.assertGreater(frames["relay.BE"], 300)
+        for name, bitmap in ("block_acks", "LIKE"), ("block_ack_requests", "NOT LIKE"):
+            found = dict(self.query(f"SELECT a.name, count(*) FROM frames JOIN agents a ON a.agent = transmitter "
+                                    f"WHERE class = 'block_ack' AND block_ack {bitmap} '%:%' GROUP BY 1"))
+            self.assertGreater(sum(found.values()), 0, name)
+            for agent in "alarm", "bulk", "relay", "sink":
+                self.assertEqual(sums[f"radio.{name}", agent][1], found.get(agent, 0), name)
+        for name, topic in ("best_effort", "bulk"), ("voice", "alarm"):
+            found = self.query(f"SELECT count(*) FROM deliveries JOIN messages USING (sender, id) WHERE topic = '{topic}'")
+            self.assertEqual(sums[f"messages.delay.{name}", "sink"][0], found[0][0])
+        self.assertEqual(sums.get(("messages.delay.video", "sink"), (0,))[0], 0)
+
     def test_packets_of_routing_have_a_key_of_their_own(self):
         for algorithm in "ants", "aodv", "anthocnet":
             with self.subTest(algorithm=algorithm):
