@@ -72,6 +72,7 @@ TrafficSource::TrafficSource(hal::RealWorldObject& self, const hal::Parameters& 
       to_name_(parameters.text("to")),
       topic_(parameters.text("topic")),
       size_(static_cast<std::size_t>(parameters["size"])),
+      priority_(static_cast<std::uint8_t>(parameters["priority"])),
       period_(period_of(parameters)),
       phase_(or_unset(parameters["phase"])),
       burst_(static_cast<int>(parameters["burst"])),
@@ -145,7 +146,8 @@ void TrafficSource::fill() {
 
 void TrafficSource::send_one() {
   const auto sent =
-      self_.send(to_, topic_, stamped({.sent = self_.now(), .number = ++sent_}, size_));
+      self_.send(to_, topic_, stamped({.sent = self_.now(), .number = ++sent_}, size_),
+                 {.priority = hal::Priority{priority_}});
   if (!sent) throw std::invalid_argument(sent.error().message);
   if (pattern_ == Pattern::kSaturated) under_way_[*sent] = self_.now();
 }
@@ -189,6 +191,8 @@ BARAKA_CONTROLLER {
             .names = hal::Naming::kSentTopic},
            {"size", "1", 100, 0, static_cast<double>(hal::kMaxPayload),
             "Bytes of a message; from 12 on it carries its time and number."},
+           {"priority", "1", 0, 0, hal::kHighestPriority,
+            "User priority of its messages: 0 best effort, 1 background, 5 video, 6 voice."},
            {"rate", "Hz", 1, 1e-6, 1e6, "Messages per second, on average; not if saturated."},
            {"phase", "s", controllers::kUnset, 0, controllers::kUnset,
             "From `start` to the first message, periodic, or burst; none: drawn from one period."},

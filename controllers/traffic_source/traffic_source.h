@@ -47,7 +47,8 @@ class TrafficSource : public hal::Controller {
   hal::RealWorldObject& self_;
   const Pattern pattern_;
   const std::string to_name_, topic_;
-  const std::size_t size_;      ///< bytes
+  const std::size_t size_;  ///< bytes
+  const std::uint8_t priority_;
   const hal::Duration period_;  ///< Time between messages or bursts; a mean for poisson.
   const std::optional<hal::Duration> phase_;  ///< nullopt: drawn at random.
   const int burst_;

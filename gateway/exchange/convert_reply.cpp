@@ -55,6 +55,7 @@ void to_wire(const hal::node::exchange::Send& message, wire::Action& out) {
   outgoing.destination(message.destination.value);
   outgoing.topic(message.topic);
   outgoing.payload(message.payload);
+  outgoing.priority(hal::to_number(message.priority));
 }
 
 void to_wire(const hal::node::exchange::Invalidate& routes, wire::Action& out) {
@@ -65,6 +66,7 @@ void to_wire(const hal::node::exchange::Invalidate& routes, wire::Action& out) {
   outgoing.destination(routes.destination.value);
   outgoing.topic(routes.topic);
   outgoing.payload().clear();
+  outgoing.priority(0);
 }
 
 void to_wire(const hal::node::exchange::SetTimer& timer, wire::Action& out) {
@@ -131,7 +133,7 @@ hal::node::exchange::DriveBody drive_body_of(const wire::Drive& drive) {
 
 hal::node::exchange::Send send_of(const wire::Outgoing& outgoing) {
   return {outgoing.message_id(), hal::AgentId{outgoing.destination()}, outgoing.topic(),
-          outgoing.payload()};
+          outgoing.payload(), hal::Priority{outgoing.priority()}};
 }
 
 hal::node::exchange::Action::What what_of(const wire::Action& action, Ranges& ranges) {

@@ -28,11 +28,16 @@ void to_wire(const hal::Message& message, wire::Message& out) {
   out.id(message.id);
   out.topic(message.topic);
   out.payload(message.payload);
+  out.priority(hal::to_number(message.priority));
 }
 
 hal::Message from_wire(const wire::Message& message) {
-  return {hal::AgentId{message.source()}, hal::AgentId{message.destination()}, message.id(),
-          message.topic(), message.payload()};
+  return {hal::AgentId{message.source()},
+          hal::AgentId{message.destination()},
+          message.id(),
+          message.topic(),
+          message.payload(),
+          hal::Priority{message.priority()}};
 }
 
 void to_wire(const hal::RouteChange& change, wire::RouteChange& out) {

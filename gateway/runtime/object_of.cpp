@@ -68,12 +68,14 @@ std::optional<std::string_view> ObjectOf<Interface>::name_of(hal::AgentId agent)
 template <class Interface>
 hal::Result<hal::MessageId> ObjectOf<Interface>::send(hal::AgentId destination,
                                                       std::string_view topic,
-                                                      std::span<const std::uint8_t> payload) {
+                                                      std::span<const std::uint8_t> payload,
+                                                      const hal::SendOptions& options) {
   context_.guard.check("send");
   context_.outbox.add(hal::node::exchange::Send{.id = context_.last_message + 1,
                                                 .destination = destination,
                                                 .topic = std::string(topic),
-                                                .payload = {payload.begin(), payload.end()}});
+                                                .payload = {payload.begin(), payload.end()},
+                                                .priority = options.priority});
   if (auto good = context_.judge_last(); !good) return tl::unexpected(good.error());
   if (const auto admitted = context_.topics.admit(topic); !admitted) {
     context_.outbox.take_back();

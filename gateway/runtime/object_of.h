@@ -21,7 +21,8 @@ class ObjectOf : public Interface {
   std::optional<hal::AgentId> address_of(std::string_view name) const override;
   std::optional<std::string_view> name_of(hal::AgentId agent) const override;
   hal::Result<hal::MessageId> send(hal::AgentId destination, std::string_view topic,
-                                   std::span<const std::uint8_t> payload) override;
+                                   std::span<const std::uint8_t> payload,
+                                   const hal::SendOptions& options = {}) override;
   hal::Network& network() override;
   const hal::Network& network() const override;
   hal::Result<void> set_timer(hal::TimerId id, hal::Time at) override;

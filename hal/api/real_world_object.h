@@ -11,6 +11,7 @@
 #include "hal/types/geometry.h"
 #include "hal/types/log.h"
 #include "hal/types/message.h"
+#include "hal/types/priority.h"
 #include "hal/types/random.h"
 #include "hal/types/record.h"
 #include "hal/types/result.h"
@@ -70,10 +71,14 @@ class RealWorldObject {
   /// kNeighbours by one broadcast. Controller::notice reports the result.
   /// @param destination  an agent, kEveryone or kNeighbours.
   /// @param topic    message class, 1..kMaxTopic bytes.   @param payload  0..kMaxPayload bytes.
+  /// @param options  its priority: send(to, "alarm", payload, {.priority = Priority::kVoice}).
+  ///   The agent's file may give the messages of a topic another one. It decides which messages go
+  ///   first where a radio keeps access categories apart (`qos`); elsewhere it has no effect.
   /// Errors: kInvalidArgument (sizes; the destination is this agent itself; this agent already uses
-  /// kMaxTopics other topics).
+  /// kMaxTopics other topics; no such priority).
   virtual Result<MessageId> send(AgentId destination, std::string_view topic,
-                                 std::span<const std::uint8_t> payload) = 0;
+                                 std::span<const std::uint8_t> payload,
+                                 const SendOptions& options = {}) = 0;
 
   /// Routes and neighbours to which this controller subscribes.
   virtual Network& network() = 0;

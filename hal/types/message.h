@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/types/agent_id.h"
+#include "hal/types/priority.h"
 #include "hal/types/time.h"
 
 namespace hal {
@@ -31,6 +32,7 @@ struct Message {
   MessageId id = 0;     ///< Unique among the messages of `source`.
   std::string topic;    ///< Message class, 1 .. kMaxTopic bytes.
   Bytes payload;        ///< 0 .. kMaxPayload bytes, not interpreted by the network.
+  Priority priority{};  ///< As its sender gave it, or the file of its sender.
   bool operator==(const Message&) const = default;  ///< Member by member.
 };
 

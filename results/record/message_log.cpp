@@ -7,8 +7,8 @@ namespace results::record {
 MessageLog::MessageLog(Database& database, const Protocols& protocols, Commits& commits)
     : MessageWriter(protocols),
       insert_(database,
-              "REPLACE INTO messages (sender, id, destination, topic, bytes, sent_ns)"
-              " VALUES (?, ?, ?, ?, ?, ?)"),
+              "REPLACE INTO messages (sender, id, destination, topic, bytes, sent_ns, priority)"
+              " VALUES (?, ?, ?, ?, ?, ?, ?)"),
       insert_delivery_(database, "REPLACE INTO deliveries VALUES (?, ?, ?, ?, ?, ?)"),
       find_delivery_(database,
                      "REPLACE INTO deliveries SELECT sender, id, ?3, ?4, ?4 - sent_ns, ?5"
@@ -23,7 +23,8 @@ MessageLog::MessageLog(Database& database, const Protocols& protocols, Commits& 
 
 void MessageLog::on_message_sent(hal::Time at, const hal::Message& message) {
   insert_.run(message.source.value, std::int64_t{message.id}, message.destination.value,
-              message.topic, std::uint64_t{message.payload.size()}, hal::to_ns(at));
+              message.topic, std::uint64_t{message.payload.size()}, hal::to_ns(at),
+              hal::to_number(message.priority));
   const std::size_t sender = message.source.value;
   if (sender >= latest_.size()) latest_.resize(sender + 1);
   latest_[sender].resize(kLatest);
@@ -79,7 +80,10 @@ std::vector<Table> MessageLog::tables() {
         {"verdict", "TEXT", "",
          "outcome; 'delivered' if any copy arrived; null: still on its way at the end of the run; "
          "for a broadcast that nobody received, the most frequent reason, 'below sensitivity' if "
-         "no radio was in range"}},
+         "no radio was in range"},
+        {"priority", "INTEGER NOT NULL", "",
+         "user priority, 0 to 7: 1 and 2 background, 0 and 3 best effort, 4 and 5 video, 6 and 7 "
+         "voice"}},
        "sender, id"},
       {"broadcasts",
        "listed messages to everyone or to neighbours, with the number of agents that received them",

@@ -172,10 +172,18 @@ void Observables::on_cycle(hal::Time at, hal::AgentId agent) {
 
 void Observables::on_frame_start(hal::Time, const sim::radio::Frame& frame) {
   if (!tallies_) return;
-  tallies_->count(frame.transmitter, sim::scenario::Tally::kFramesSent);
-  if (frame.retry) tallies_->count(frame.transmitter, sim::scenario::Tally::kRetries);
-  tallies_->count(frame.transmitter, sim::scenario::Tally::kAirtime,
-                  hal::to_seconds(frame.airtime));
+  using sim::radio::FrameType;
+  using sim::scenario::Tally;
+  const auto count = [&](Tally tally) { tallies_->count(frame.transmitter, tally); };
+  count(Tally::kFramesSent);
+  if (frame.retry) count(Tally::kRetries);
+  tallies_->count(frame.transmitter, Tally::kAirtime, hal::to_seconds(frame.airtime));
+  if (frame.qos) {
+    const std::size_t category = hal::access_category(hal::Priority{frame.priority});
+    count(of_category(Tally::kFramesBackground, category));
+  }
+  if (frame.type == FrameType::kBlockAck) count(Tally::kBlockAcks);
+  if (frame.type == FrameType::kBlockAckRequest) count(Tally::kBlockAckRequests);
 }
 
 void Observables::on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,

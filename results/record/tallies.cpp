@@ -44,8 +44,12 @@ void Tallies::on_message_delivered(hal::Time at, hal::AgentId receiver,
   count(receiver, sim::scenario::Tally::kMessagesReceived);
   if (is_to_one(message)) count(message.source, sim::scenario::Tally::kMessagesArrived);
   const auto sent = sent_.find({message.source, message.id});
-  if (sent != sent_.end())
-    set(at, receiver, sim::scenario::Tally::kDelay, hal::to_seconds(at - sent->second));
+  if (sent == sent_.end()) return;
+  using sim::scenario::Tally;
+  const double delay = hal::to_seconds(at - sent->second);
+  const std::size_t category = hal::access_category(message.priority);
+  set(at, receiver, Tally::kDelay, delay);
+  set(at, receiver, of_category(Tally::kDelayBackground, category), delay);
 }
 
 }  // namespace results::record

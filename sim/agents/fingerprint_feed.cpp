@@ -36,12 +36,18 @@ void add(Fingerprint::Cell& hash, const hal::Route& route) {
   hash.add(route.path.energy);
 }
 
+/// Only if there is one, so that fingerprints of messages without it do not change.
+void add(Fingerprint::Cell& hash, hal::Priority priority) {
+  if (priority != hal::Priority::kBestEffort) hash.add(std::uint64_t{hal::to_number(priority)});
+}
+
 void add(Fingerprint::Cell& hash, const hal::Message& message) {
   hash.add(std::uint64_t{message.source.value});
   hash.add(std::uint64_t{message.destination.value});
   hash.add(std::uint64_t{message.id});
   hash.add(std::string_view{message.topic});
   add(hash, message.payload);
+  add(hash, message.priority);
 }
 
 void add_network(Fingerprint::Cell& hash, const hal::node::exchange::Event& event) {
@@ -66,6 +72,7 @@ struct Ingredients {
   hal::AgentId destination{};
   std::string_view topic{};
   std::span<const std::uint8_t> payload{};
+  hal::Priority priority{};
   hal::TimerId timer = 0;
   hal::Time at{};
   bool radio_on = true;
@@ -82,7 +89,8 @@ Ingredients ingredients_of(const exchange::Send& message) {
   return {.message = message.id,
           .destination = message.destination,
           .topic = message.topic,
-          .payload = message.payload};
+          .payload = message.payload,
+          .priority = message.priority};
 }
 Ingredients ingredients_of(const exchange::Invalidate& routes) {
   return {.destination = routes.destination, .topic = routes.topic};
@@ -192,6 +200,7 @@ void FingerprintFeed::on_action(hal::Time at, const hal::node::exchange::Action&
   hash.add(number(in.level));
   hash.add(in.text);
   if (in.value) hash.add(*in.value);
+  add(hash, in.priority);
 }
 
 void FingerprintFeed::on_route_change(hal::Time at, hal::AgentId agent,

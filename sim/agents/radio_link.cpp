@@ -15,12 +15,13 @@ hal::node::routing::LinkCapabilities RadioLink::capabilities() const {
   return {.tx_status = mac.tx_status, .rssi = mac.rssi};
 }
 
-void RadioLink::transmit(hal::AgentId next_hop, hal::Bytes frame, hal::node::routing::LinkTag tag) {
+void RadioLink::transmit(hal::AgentId next_hop, hal::Bytes frame,
+                         const hal::node::routing::LinkOptions& options) {
   mac_.transmit({.destination = next_hop,
                  .ethertype = radio::kEthertypeRouting,
-                 .priority = 0,
+                 .priority = hal::to_number(options.priority),
                  .payload = std::make_shared<const hal::Bytes>(std::move(frame)),
-                 .tag = tag});
+                 .tag = options.tag});
 }
 
 void RadioLink::set_radio(bool on) {

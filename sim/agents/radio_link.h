@@ -17,7 +17,8 @@ class RadioLink final : public hal::node::agent::Link, public radio::MacClient {
   void attach(hal::node::routing::Router& router) { router_ = &router; }
 
   hal::node::routing::LinkCapabilities capabilities() const override;
-  void transmit(hal::AgentId next_hop, hal::Bytes frame, hal::node::routing::LinkTag tag) override;
+  void transmit(hal::AgentId next_hop, hal::Bytes frame,
+                const hal::node::routing::LinkOptions& options) override;
   hal::Duration expected_delay() const override { return mac_.expected_delay(); }
   double transmit_energy(std::size_t bytes) const override { return mac_.transmit_energy(bytes); }
   void set_radio(bool on) override;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,6 +21,12 @@ class Cell {
     if (!usual_) usual_ = capabilities;
     of_some_ = static_cast<std::uint8_t>(of_some_ | capabilities.classes);
     of_all_ = static_cast<std::uint8_t>(of_all_ & capabilities.classes);
+    if (capabilities.supports(ModulationClass::kHt)) {
+      narrowest_ = std::min(narrowest_, capabilities.width);
+      widest_ = std::max(widest_, capabilities.width);
+    } else {
+      ++without_ht_;
+    }
     if (capabilities == *usual_) return;
     others_.insert(std::ranges::lower_bound(others_, station, {}, &Other::first),
                    {station, capabilities});
@@ -33,6 +41,11 @@ class Cell {
     return !all_support(ModulationClass::kOfdm) &&
            (of_some_ & Capabilities::bit(ModulationClass::kOfdm)) != 0;
   }
+  /// Number of stations without HT.
+  std::size_t without_ht() const { return without_ht_; }
+  /// Least and greatest width of the stations with HT, MHz; 20 if there are none.
+  std::uint16_t narrowest() const { return std::min(narrowest_, widest_); }
+  std::uint16_t widest() const { return widest_; }
   /// Whether all stations have equal capabilities.
   bool is_uniform() const { return others_.empty(); }
   /// Of an address without a station: those of the station that was added first.
@@ -49,6 +62,8 @@ class Cell {
       usual_;                  ///< Of the first station, and of all that are not in others_.
   std::vector<Other> others_;  ///< In ascending order of stations.
   std::uint8_t of_some_ = 0, of_all_ = 0xff;
+  std::size_t without_ht_ = 0;
+  std::uint16_t narrowest_ = 0xffff, widest_ = 20;  ///< MHz
 };
 
 }  // namespace sim::radio

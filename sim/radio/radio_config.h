@@ -45,6 +45,8 @@ struct DcfConfig : WavesConfig {
   /// Protection of OFDM frames. kAuto: kCtsToSelf in a mixed cell, else kNone.
   ProtectionKind protection = ProtectionKind::kAuto;
   hal::BitsPerSecond protection_rate{1e6};  ///< Rate of the protecting frames, a DSSS rate.
+  /// With kAuto: frames wider than 20 MHz are protected where some HT stations have only 20 MHz.
+  bool wide_protection = false;
   /// QoS station: data frames have the QoS header, and `edca` replaces the windows of `contention`
   /// (10.2.3.2).
   bool qos = false;

@@ -117,8 +117,9 @@ inline void qos_key(Fields& io, bool& qos) {
 
 inline void ofdm_keys(Fields& io, radio::Ieee80211gConfig& c) {
   io.choice({"protection",
-             "How OFDM frames are protected from stations that support 802.11b only: by a "
-             "CTS-to-self or an RTS/CTS exchange before them, at `protection_rate`. auto: "
+             "How OFDM frames are protected from stations that support 802.11b only, and frames of "
+             "802.11n and newer from stations without it: by a CTS-to-self or an RTS/CTS exchange "
+             "before them, at `protection_rate` if there are stations of 802.11b. auto: "
              "cts_to_self if there are such stations on the channel, else none.",
              "auto"},
             kProtections, c.protection);

@@ -94,9 +94,20 @@ inline void keys_of(Fields& io, radio::McsConfig& c) {
             kPpduTimes, c.times);
 }
 
+inline void wide_protection_key(Fields& io, bool& is_protected) {
+  io.flag(
+      {"wide_protection",
+       "With `protection: auto`: whether frames wider than 20 MHz are protected by a CTS-to-self "
+       "where an agent with HT has only 20 MHz (20 MHz protection mode), as drivers of Linux do. "
+       "The standard does not ask for it: such agents defer to wider frames.",
+       "true"},
+      is_protected);
+}
+
 inline void keys_of(Fields& io, radio::HtConfig& c) {
   dcf_keys(io, c, DataKey::kMcs);
   ofdm_keys(io, c);
+  wide_protection_key(io, c.wide_protection);
   edca_keys(io, c.edca);
   keys_of(io, c.mcs);
   io.inside({"aggregation", "A-MPDU, A-MSDU and Block Ack."},

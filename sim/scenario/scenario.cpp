@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "hal/files/config/document.h"
+#include "hal/files/description/priority_keys.h"
 #include "hal/files/description/routing_section.h"
 #include "sim/scenario/agents_section.h"
 #include "sim/scenario/bss_section.h"
@@ -46,6 +47,7 @@ void keys_of(Fields& io, Scenario& scenario) {
   io.inside({"radio", "The radio of all agents."},
             [&](Fields& radio) { keys_of(radio, config.radio); });
   hal::files::description::routing_key(io, config.routing, link_capabilities(config));
+  hal::files::description::priorities_key(io, config.routing.priorities);
   io.inside({"localisation", "What controllers learn about the positions of other agents."},
             [&](Fields& own) { keys_of(own, config.localisation); });
   agents_key(io, scenario);

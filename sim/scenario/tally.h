@@ -13,6 +13,12 @@ enum class Tally : std::uint8_t {
   kFramesSent,
   kRetries,
   kAirtime,
+  kFramesBackground,  ///< The first of four, in the order of access categories.
+  kFramesBestEffort,
+  kFramesVideo,
+  kFramesVoice,
+  kBlockAcks,
+  kBlockAckRequests,
   kFramesReceived,
   kFramesLost,
   kRequestsFailed,
@@ -21,6 +27,10 @@ enum class Tally : std::uint8_t {
   kMessagesArrived,
   kMessagesReceived,
   kDelay,
+  kDelayBackground,  ///< The first of four, likewise.
+  kDelayBestEffort,
+  kDelayVideo,
+  kDelayVoice,
   kDiscoveries,
   kDiscoveriesFailed,
   kDiscoveryTime,
@@ -28,6 +38,11 @@ enum class Tally : std::uint8_t {
   kCount,
 };
 inline constexpr std::size_t kTallies = static_cast<std::size_t>(Tally::kCount);
+
+/// The one for an access category. @param first  of the four.
+constexpr Tally of_category(Tally first, std::size_t category) {
+  return static_cast<Tally>(static_cast<std::size_t>(first) + category);
+}
 
 struct TallyKind {
   Tally tally;

@@ -108,7 +108,9 @@ TEST_P(AgentContract, ATimerComesOnceAndNotBeforeItsTime) {
 
 TEST_P(AgentContract, AMessageArrivesAsItWasSentAndItsSenderIsToldOnce) {
   const hal::Bytes payload{0, 255, 7, 0};
-  const Brain& both = brain(once(kRobot, {send(kMote, 1, payload)}));
+  Action message = send(kMote, 1, payload);
+  std::get<Send>(message.what).priority = hal::Priority::kVoice;
+  const Brain& both = brain(once(kRobot, {message}));
   ASSERT_TRUE(until([&] { return !both.seen(kMote, Cause::kMessage).empty(); }));
   ASSERT_TRUE(until([&] { return !both.seen(kRobot, Cause::kNotice).empty(); }));
   const Event event = both.seen(kMote, Cause::kMessage)[0];
@@ -117,6 +119,7 @@ TEST_P(AgentContract, AMessageArrivesAsItWasSentAndItsSenderIsToldOnce) {
   EXPECT_EQ(arrived.destination, kMote);
   EXPECT_EQ(arrived.topic, "test");
   EXPECT_EQ(arrived.payload, payload);
+  EXPECT_EQ(arrived.priority, hal::Priority::kVoice);
   const std::size_t cycles = both.seen(kRobot, Cause::kControl).size();
   ASSERT_TRUE(until([&] { return both.seen(kRobot, Cause::kControl).size() >= cycles + 10; }));
   EXPECT_EQ(both.seen(kMote, Cause::kMessage).size(), 1u);

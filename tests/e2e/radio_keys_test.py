@@ -446,6 +446,8 @@ class RadioKeys(Case):
         self.assertAlmostEqual(found[0] - found[1], 6)
         self.is_each([10, 16], "channel", [1, 36], lambda run: run.gap("unicast", "ack"),
                      radio=(*n, "propagation_delay: false"), **options)
+        narrow = dict(radio=(*n, "width: 40 MHz"), stations=[*near, (5, None, "width: 20 MHz")])
+        self.rises("wide_protection", ["false", "true"], lambda run: run.frames("cts"), **narrow)
         beacons = dict(radio=(*n, "bss: {access_point: a}"), stations=[(0, None, ""), (5, None, "")], time="1 s")
         self.falls("beacon_rate", ["1 Mb/s", "6 Mb/s"], lambda run: run.airtime("beacon"), **beacons)
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/files/description/field_io.h"
+#include "hal/files/description/priority_keys.h"
 #include "hal/files/description/route_choice_keys.h"
 
 namespace hal::files::description {
@@ -181,6 +182,12 @@ const Protocol* find(Algorithm algorithm) {
 void protocol_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   const Protocol* const protocol = find(c.algorithm);
   (protocol == nullptr ? common_keys : protocol->keys)(io, c, link);
+  priority_key(io,
+               {"control_priority",
+                "User priority of the packets of routing itself, as in `priorities`. Routing "
+                "daemons on Linux mark theirs CS6, which is 6 (RFC 4594).",
+                "6"},
+               c.control_priority);
 }
 
 std::vector<Option<Algorithm>> options_of_protocols() {

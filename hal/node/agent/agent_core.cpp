@@ -21,6 +21,7 @@ AgentCore::AgentCore(exchange::AgentSession session, const routing::RoutingConfi
     : ports_(ports),
       id_(session.agent),
       session_(std::move(session)),
+      priorities_(routing.priorities),
       router_(
           session_.agent, routing, {session_.seed, session_.name},
           {.link = ports.link, .timers = ports.timers, .application = *this, .observer = *this}) {}
@@ -189,11 +190,13 @@ Drive& AgentCore::wheels() {
 Result<void> AgentCore::send(const exchange::Send& message) {
   if (auto admitted = topics_.admit(message.topic); !admitted) return admitted;
   sent_[++last_message_] = message.id;
+  const auto given = priorities_.find(message.topic);
   const Message numbered{.source = id(),
                          .destination = message.destination,
                          .id = last_message_,
                          .topic = message.topic,
-                         .payload = message.payload};
+                         .payload = message.payload,
+                         .priority = given != priorities_.end() ? given->second : message.priority};
   ports_.observer.on_message_sent(now(), numbered);
   router_.send(numbered);
   return {};

@@ -136,6 +136,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   Inbox inbox_;
 
   const exchange::AgentSession session_;
+  const std::map<std::string, Priority, std::less<>> priorities_;  ///< By topic.
   routing::Router router_;
   Wants wants_;
   std::vector<bool> asked_;  ///< By channel: the controller subscribes to it.

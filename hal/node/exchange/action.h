@@ -9,6 +9,7 @@
 #include "hal/types/geometry.h"
 #include "hal/types/log.h"
 #include "hal/types/message.h"
+#include "hal/types/priority.h"
 #include "hal/types/time.h"
 
 namespace hal::node::exchange {
@@ -30,6 +31,7 @@ struct Send {
   AgentId destination;
   std::string topic;
   Bytes payload;
+  Priority priority{};
   bool operator==(const Send&) const = default;
 };
 

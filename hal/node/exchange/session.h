@@ -14,7 +14,7 @@ namespace hal::node::exchange {
 
 /// Version of the types in this folder as transmitted. Peers with different versions refuse each
 /// other.
-inline constexpr std::uint32_t kProtocolVersion = 6;
+inline constexpr std::uint32_t kProtocolVersion = 7;
 
 /// A parameter as written in the scenario, with the place of its value for error messages.
 struct ParameterText {

@@ -66,6 +66,10 @@ std::string mistake_in_message(const Send& message, const AgentSession& session)
     return fmt::format("payload has {} bytes, at most {} are allowed", message.payload.size(),
                        kMaxPayload);
   }
+  if (to_number(message.priority) > kHighestPriority) {
+    return fmt::format("priority is {}, 0 to {} are allowed", to_number(message.priority),
+                       kHighestPriority);
+  }
   return mistake_in_topic(message.topic);
 }
 

@@ -8,9 +8,11 @@ namespace hal::node::routing::anthocnet {
 MacTime::MacTime(Link& link, Timers& timers, double alpha, Duration hop_time)
     : link_(link), timers_(timers), alpha_(alpha), mac_time_(to_seconds(hop_time)) {}
 
-void MacTime::transmit(AgentId next_hop, Bytes frame, LinkTag tag) {
-  if (capabilities().tx_status) under_way_.emplace(tag, UnderWay{next_hop, timers_.now()});
-  link_.transmit(next_hop, std::move(frame), tag);
+void MacTime::transmit(AgentId next_hop, Bytes frame, const LinkOptions& options) {
+  if (capabilities().tx_status) {
+    under_way_.emplace(options.tag, UnderWay{next_hop, timers_.now()});
+  }
+  link_.transmit(next_hop, std::move(frame), options);
 }
 
 Duration MacTime::expected_delay() const {

@@ -22,7 +22,7 @@ class MacTime final : public Link {
   MacTime(Link& link, Timers& timers, double alpha, Duration hop_time);
 
   LinkCapabilities capabilities() const override { return link_.capabilities(); }
-  void transmit(AgentId next_hop, Bytes frame, LinkTag tag) override;
+  void transmit(AgentId next_hop, Bytes frame, const LinkOptions& options) override;
   /// T_i of (A2).
   Duration expected_delay() const override;
   double transmit_energy(std::size_t bytes) const override { return link_.transmit_energy(bytes); }

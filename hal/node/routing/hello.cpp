@@ -25,7 +25,7 @@ void Hellos::start() {
 
 void Hellos::schedule_next() {
   const Duration period = node_.config.hello_period;
-  link_.transmit(kEveryone, encode(Hello{period}), kNoTag);
+  link_.transmit(kEveryone, encode(Hello{period}), {kNoTag, node_.config.control_priority});
   node_.count(ProtocolEvent::kHelloSent);
   const Duration wait = period - part_of(period, kJitter * node_.random.uniform());
   node_.timers.schedule(node_.now() + wait, [this] { schedule_next(); });

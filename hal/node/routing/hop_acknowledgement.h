@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <map>
@@ -23,7 +24,9 @@ namespace hal::node::routing {
 ///                                            attempts left? --no--> kRetryLimit
 ///
 /// When a neighbour is given up, all frames for it fail. The window prevents a burst from
-/// overflowing a lower-layer queue that drops frames without notice.
+/// overflowing a lower-layer queue that drops frames without notice. As the layer below, it keeps
+/// access categories apart: each has its own window and its own limit of waiting frames, and an
+/// acknowledgement has the priority of the frame that it acknowledges.
 ///
 /// Acknowledgements are explicit rather than passive (overhearing that the next hop forwards the
 /// frame): a socket receives unicast datagrams of others only with special privileges, the last hop
@@ -32,20 +35,21 @@ namespace hal::node::routing {
 class HopAcknowledgement final : public Link {
  public:
   using Report = std::function<void(const Transmission&)>;
-  static constexpr std::size_t kWindow = 4;  ///< Frames in flight to one neighbour.
+  /// Frames in flight to one neighbour, of one access category.
+  static constexpr std::size_t kWindow = 4;
 
   /// @param report  called once for every transmit(), never from within it.
   HopAcknowledgement(const RoutingConfig& config, Link& link, Timers& timers, Report report);
 
   LinkCapabilities capabilities() const override;
   /// A broadcast is sent once and counts as delivered. @pre unicast: the frame is a packet.
-  void transmit(AgentId next_hop, Bytes packet, LinkTag tag) override;
+  void transmit(AgentId next_hop, Bytes packet, const LinkOptions& options) override;
   Duration expected_delay() const override { return link_.expected_delay(); }
   double transmit_energy(std::size_t bytes) const override { return link_.transmit_energy(bytes); }
 
   /// Notes a received frame. @return whether it is the first copy.
   bool on_numbered(AgentId from, HopNumber number);
-  void acknowledge(AgentId neighbour, HopNumber number);
+  void acknowledge(AgentId neighbour, HopNumber number, Priority priority);
   /// Unexpected acknowledgements (copies, late ones, forged ones) have no effect.
   void on_ack(AgentId from, HopNumber number);
 
@@ -55,23 +59,26 @@ class HopAcknowledgement final : public Link {
  private:
   struct Waiting {
     Bytes packet;
-    LinkTag tag = 0;
+    LinkOptions options;
   };
   struct InFlight {
     Bytes frame;
-    LinkTag tag = 0;
+    LinkOptions options;
     int attempts = 0;
     Duration timeout{};
     OwnTimers::Handle timer = 0;
   };
   /// Frames for one neighbour.
   struct Lane {
-    std::deque<Waiting> waiting;
+    std::array<std::deque<Waiting>, kAccessCategories> waiting;
     std::map<HopNumber, InFlight> in_flight;
+
+    std::size_t in_flight_of(std::size_t category) const;
   };
 
   void report_soon(LinkTag tag, Verdict verdict);
   void fill(AgentId next_hop);
+  void send_waiting(AgentId next_hop, Lane& lane, std::size_t category);
   void attempt(AgentId next_hop, HopNumber number, InFlight& sent);
   void on_timeout(AgentId next_hop, HopNumber number);
 

@@ -68,9 +68,11 @@ bool HopLayer::take(Packet packet, const Arrival& arrival) {
 /// Handles the packet before it acknowledges it, because the message is more urgent.
 bool HopLayer::take(Numbered numbered, const Arrival& arrival) {
   const AgentId from = arrival.reception.from;
+  const auto* const data = std::get_if<Data>(&numbered.packet);
+  const Priority priority = data != nullptr ? data->priority : node_.config.control_priority;
   const bool is_first = acknowledgement_.on_numbered(from, numbered.number);
   const bool is_good = !is_first || listener_.on_packet(std::move(numbered.packet), arrival);
-  acknowledgement_.acknowledge(from, numbered.number);
+  acknowledgement_.acknowledge(from, numbered.number, priority);
   return is_good;
 }
 

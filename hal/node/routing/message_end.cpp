@@ -43,7 +43,8 @@ void deliver(Node& node, Data data) {
                                      .destination = header.destination,
                                      .id = data.id,
                                      .topic = header.topic,
-                                     .payload = std::move(data.payload)},
+                                     .payload = std::move(data.payload),
+                                     .priority = data.priority},
                                     data.transmissions);
 }
 
@@ -51,7 +52,8 @@ Transit to_transit(Node& node, const Message& message) {
   return {.data = {.header = {message.topic, node.self, message.destination, node.next_sequence()},
                    .id = message.id,
                    .transmissions = 0,
-                   .payload = message.payload},
+                   .payload = message.payload,
+                   .priority = message.priority},
           .came_from = std::nullopt,
           .owes_fate = true};
 }

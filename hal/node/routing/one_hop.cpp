@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint8_t kToOne = 0x17;
 constexpr std::uint8_t kToNeighbours = 0x18;
 constexpr std::uint8_t kToEveryone = 0x19;
+constexpr std::uint8_t kWithPriority = 4;  ///< Added to the kind.
 
 std::uint8_t kind_of(AgentId destination) {
   if (destination == kNeighbours) return kToNeighbours;
@@ -35,11 +36,15 @@ std::optional<AgentId> destination_of(std::uint8_t kind, AgentId self) {
 }  // namespace
 
 Bytes encode_one_hop(const Message& message) {
+  const bool has_priority = message.priority != Priority::kBestEffort;
+  BARAKA_CHECK(to_number(message.priority) <= kHighestPriority);
+  const std::uint8_t kind = kind_of(message.destination);
   ByteWriter out;
-  out.u8(kind_of(message.destination));
+  out.u8(has_priority ? static_cast<std::uint8_t>(kind + kWithPriority) : kind);
   out.u8(static_cast<std::uint8_t>(message.topic.size()));
   out.bytes({message.topic.begin(), message.topic.end()});
   out.u32(message.id);
+  if (has_priority) out.u8(to_number(message.priority));
   out.bytes(message.payload);
   return out.take();
 }
@@ -47,15 +52,21 @@ Bytes encode_one_hop(const Message& message) {
 std::optional<Message> parse_one_hop(std::span<const std::uint8_t> bytes, AgentId from,
                                      AgentId self) {
   ByteReader in(bytes);
-  const auto destination = destination_of(in.u8(), self);
+  const std::uint8_t kind = in.u8();
+  const bool has_priority = kind >= kToOne + kWithPriority;
+  const auto destination =
+      destination_of(has_priority ? static_cast<std::uint8_t>(kind - kWithPriority) : kind, self);
   if (!destination) return std::nullopt;
   Message message{.source = from, .destination = *destination, .id = 0, .topic = {}, .payload = {}};
   const std::size_t topic = in.u8();
   message.topic = in.text(topic);
   message.id = in.u32();
+  if (has_priority) message.priority = Priority{in.u8()};
   message.payload = in.rest();
   const bool is_valid = in.ended_well() && topic > 0 && topic <= kMaxTopic && message.id != 0 &&
-                        message.payload.size() <= kMaxPayload;
+                        message.payload.size() <= kMaxPayload &&
+                        has_priority == (message.priority != Priority::kBestEffort) &&
+                        to_number(message.priority) <= kHighestPriority;
   if (!is_valid) return std::nullopt;
   return message;
 }
@@ -76,7 +87,7 @@ void OneHop::send(const Message& message) {
       ports_.application.on_fate(id, Fate::kHandedOver);
     });
   }
-  ports_.link.transmit(next_hop, encode_one_hop(message), message.id);
+  ports_.link.transmit(next_hop, encode_one_hop(message), {message.id, message.priority});
 }
 
 bool OneHop::on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) {

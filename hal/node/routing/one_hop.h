@@ -17,9 +17,11 @@ namespace hal::node::routing {
 /// topic and the payload:
 ///
 ///   octet  0       version 1 (high nibble), kind (low nibble): 7 to one node, 8 to the neighbours,
-///                  9 to everyone
+///                  9 to everyone; 11, 12 and 13: the same with a priority
 ///          1       length of the topic, then the topic
-///          u32     message id, then the payload to the end of the frame
+///          u32     message id
+///          u8      with a priority: 1..7
+///                  then the payload to the end of the frame
 ///
 /// Source and destination are those of the link's own frame.
 Bytes encode_one_hop(const Message& message);
@@ -29,7 +31,7 @@ Bytes encode_one_hop(const Message& message);
 std::optional<Message> parse_one_hop(std::span<const std::uint8_t> bytes, AgentId from,
                                      AgentId self);
 
-/// Octets of such a frame in addition to topic and payload.
+/// Octets of such a frame in addition to topic and payload, without a priority.
 inline constexpr std::size_t kOneHopHeader = 6;
 
 /// One node of that protocol.

@@ -15,8 +15,10 @@ void Outbox::send_message(AgentId next_hop, Transit transit) {
 
 void Outbox::transmit(AgentId next_hop, const Packet& packet, Outgoing outgoing) {
   const LinkTag tag = ++last_tag_;
+  const Priority priority =
+      outgoing.transit ? outgoing.transit->data.priority : node_.config.control_priority;
   outgoing_.emplace(tag, std::move(outgoing));
-  node_.ports.link.transmit(next_hop, encode(packet), tag);
+  node_.ports.link.transmit(next_hop, encode(packet), {tag, priority});
 }
 
 void Outbox::on_transmitted(const Transmission& transmission) {

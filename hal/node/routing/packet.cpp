@@ -11,7 +11,13 @@ namespace hal::node::routing {
 namespace {
 
 constexpr std::uint8_t kVersion = 1;
-enum class Kind : std::uint8_t { kForwardAnt = 1, kBackwardAnt = 2, kData = 3, kControl = 10 };
+enum class Kind : std::uint8_t {
+  kForwardAnt = 1,
+  kBackwardAnt = 2,
+  kData = 3,
+  kControl = 10,
+  kPriorityData = 14,
+};
 
 std::uint8_t first_octet(Kind kind) {
   return static_cast<std::uint8_t>(kVersion << 4 | static_cast<std::uint8_t>(kind));
@@ -55,7 +61,10 @@ void put(ByteWriter& out, const BackwardAnt& ant) {
 }
 
 void put(ByteWriter& out, const Data& data) {
-  put(out, Kind::kData, data.header);
+  const bool has_priority = data.priority != Priority::kBestEffort;
+  BARAKA_CHECK(to_number(data.priority) <= kHighestPriority);
+  put(out, has_priority ? Kind::kPriorityData : Kind::kData, data.header);
+  if (has_priority) out.u8(to_number(data.priority));
   out.u32(data.id);
   out.u8(data.transmissions);
   out.bytes(data.payload);
@@ -138,8 +147,12 @@ std::optional<Packet> parse_backward_ant(Header header, ByteReader& in) {
   return ant;
 }
 
-std::optional<Packet> parse_data(Header header, ByteReader& in) {
-  Data data{.header = std::move(header), .id = 0, .transmissions = 0, .payload = {}};
+std::optional<Packet> parse_data(Header header, Priority priority, ByteReader& in) {
+  Data data{.header = std::move(header),
+            .id = 0,
+            .transmissions = 0,
+            .payload = {},
+            .priority = priority};
   data.id = in.u32();
   data.transmissions = in.u8();
   data.payload = in.rest();
@@ -147,6 +160,13 @@ std::optional<Packet> parse_data(Header header, ByteReader& in) {
   if (data.id == 0 || data.transmissions == 0) return std::nullopt;
   if (data.header.destination == kNeighbours && data.transmissions > 1) return std::nullopt;
   return data;
+}
+
+/// Without a priority the bytes are those of plain data, so that a packet has one form only.
+std::optional<Packet> parse_priority_data(Header header, ByteReader& in) {
+  const std::uint8_t priority = in.u8();
+  if (priority == 0 || priority > kHighestPriority) return std::nullopt;
+  return parse_data(std::move(header), Priority{priority}, in);
 }
 
 std::optional<Packet> parse_control(ByteReader& in) {
@@ -180,7 +200,9 @@ std::optional<Packet> parse(std::span<const std::uint8_t> frame) {
     case Kind::kBackwardAnt:
       return is_flood ? std::nullopt : parse_backward_ant(std::move(header), in);
     case Kind::kData:
-      return parse_data(std::move(header), in);
+      return parse_data(std::move(header), Priority::kBestEffort, in);
+    case Kind::kPriorityData:
+      return parse_priority_data(std::move(header), in);
     case Kind::kControl:
       break;  // has no header
   }

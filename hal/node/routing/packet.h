@@ -9,6 +9,7 @@
 
 #include "hal/types/agent_id.h"
 #include "hal/types/message.h"
+#include "hal/types/priority.h"
 #include "hal/types/route.h"
 #include "hal/types/time.h"
 
@@ -52,6 +53,7 @@ struct Data {
   MessageId id = 0;
   std::uint8_t transmissions = 0;  ///< So far, including this one; at least 1 on the air.
   Bytes payload;
+  Priority priority{};  ///< Of every frame that carries it.
   bool operator==(const Data&) const = default;
 };
 
@@ -74,13 +76,14 @@ inline constexpr std::size_t kMaxPath = 255;
 /// The bytes of a packet on a link, integers big-endian:
 ///
 ///   octet  0       version (high nibble, 1) and kind (low nibble: 1 forward ant, 2 backward ant,
-///                  3 data, 10 control)
+///                  3 data, 10 control, 14 data with a priority)
 ///   control        u8 protocol, its body to the end of the frame; all other kinds:
 ///          1       length of the topic, then the topic
 ///          u16 source, u16 destination, u32 sequence, then by kind
 ///   forward ant    i64 started [ns], way, path
 ///   backward ant   u8 position, way, path
 ///   data           u32 message id, u8 transmissions, payload to the end of the frame
+///   with priority  u8 priority (1..7), then as data
 ///
 /// way: u16 hops, i64 delay [ns], f64 minimum SNR [dB], f64 energy [J]; path: u8 count, u16 each.
 /// @pre the packet satisfies the rules that parse() checks.

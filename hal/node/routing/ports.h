@@ -9,6 +9,7 @@
 #include "hal/node/routing/protocol_event.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/message.h"
+#include "hal/types/priority.h"
 #include "hal/types/random.h"
 #include "hal/types/route.h"
 #include "hal/types/time.h"
@@ -43,6 +44,16 @@ struct Transmission {
   Verdict verdict = Verdict::kDelivered;
 };
 
+/// How a frame is passed to the link. A tag alone is enough.
+struct LinkOptions {
+  LinkTag tag = 0;
+  /// Frames of a higher access category go first, if the link can tell them apart.
+  Priority priority{};
+
+  // NOLINTNEXTLINE(google-explicit-constructor): most frames have no priority
+  constexpr LinkOptions(LinkTag of = 0, Priority as = {}) : tag(of), priority(as) {}
+};
+
 /// Transmits over one hop: the simulator's MAC, or a UDP socket.
 class Link {
  public:
@@ -52,7 +63,7 @@ class Link {
 
   /// Queues a frame for one neighbour, or for all of them (kEveryone). Never calls back before it
   /// returns.
-  virtual void transmit(AgentId next_hop, Bytes frame, LinkTag tag) = 0;
+  virtual void transmit(AgentId next_hop, Bytes frame, const LinkOptions& options) = 0;
 
   /// Expected time until a frame queued now is transmitted, for the delay statistics; and energy
   /// [J].

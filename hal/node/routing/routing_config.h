@@ -11,6 +11,7 @@
 #include "hal/node/routing/aodv_config.h"
 #include "hal/node/routing/static_config.h"
 #include "hal/types/path_metric.h"
+#include "hal/types/priority.h"
 #include "hal/types/time.h"
 
 namespace hal::node::routing {
@@ -26,7 +27,7 @@ struct RouteChoice {
 
 /// Parameters of the routing protocols. Defaults: the replica of the paper's case study.
 struct RoutingConfig {
-  Algorithm algorithm = Algorithm::kAnts;  ///< kNone: no other value is used.
+  Algorithm algorithm = Algorithm::kAnts;  ///< kNone: besides, only `priorities` is used.
 
   // Ants.
   RouteChoice choice{};                                       ///< For classes without their own.
@@ -63,6 +64,13 @@ struct RoutingConfig {
   int ack_attempts = 4;           ///< Transmissions before a hop counts as failed, 1..16.
   Duration hello_period = 1s;     ///< Time between two hellos; 1 ms..1 h.
   std::uint32_t hello_limit = 2;  ///< Successive hellos of a neighbour that may be lost, >= 1.
+
+  /// By topic: priority of the messages that an agent sends, whatever its controller says. Also
+  /// used with kNone.
+  std::map<std::string, Priority, std::less<>> priorities{};
+  /// Priority of the protocol's own packets, which carry no message. Routing daemons on Linux mark
+  /// theirs CS6, the code point of network control (RFC 4594, 3.2): Priority{6}.
+  Priority control_priority{};
 
   /// Numbers of this node's packets start after this one. Other nodes remember numbers for a
   /// minute, so a node that may restart draws a new value each time, below 2^31; otherwise its

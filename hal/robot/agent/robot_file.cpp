@@ -7,6 +7,7 @@
 #include "hal/files/description/body_section.h"
 #include "hal/files/description/field_io.h"
 #include "hal/files/description/names.h"
+#include "hal/files/description/priority_keys.h"
 #include "hal/files/description/robot_checks.h"
 #include "hal/files/description/routing_section.h"
 #include "hal/files/description/static_routes.h"
@@ -143,6 +144,7 @@ void keys_of(Fields& io, RobotFile& file) {
               keys_of(radio, file.radio);
             });
   files::description::routing_key(io, file.routing, node::routing::LinkCapabilities{});
+  files::description::priorities_key(io, file.routing.priorities);
   io.inside({"localisation", "How the agent knows its own pose and the positions of other agents."},
             [&](Fields& own) { localisation_keys(own, file.localisation, file); });
   find_static_routes(io, file);

@@ -50,6 +50,30 @@ sockaddr* generic(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&ad
   throw std::system_error(error, std::generic_category(), what);
 }
 
+/// Sends one datagram with the priority as the class selector of its DSCP. The kernel takes it from
+/// a control message (ip(7), IP_TOS), and the priority of its own queues from that.
+ssize_t send_datagram(int socket, Bytes datagram, sockaddr_in to, Priority priority) {
+  constexpr int kBitsOfEcn = 2;  // below the DSCP (RFC 3168, 5)
+  const int tos = dscp_of(priority) << kBitsOfEcn;
+  alignas(cmsghdr) std::array<std::uint8_t, CMSG_SPACE(sizeof tos)> control{};
+  iovec content{datagram.data(), datagram.size()};
+  msghdr message{};
+  message.msg_name = &to;
+  message.msg_namelen = sizeof to;
+  message.msg_iov = &content;
+  message.msg_iovlen = 1;
+  if (tos != 0) {
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    cmsghdr* const header = CMSG_FIRSTHDR(&message);
+    header->cmsg_level = IPPROTO_IP;
+    header->cmsg_type = IP_TOS;
+    header->cmsg_len = CMSG_LEN(sizeof tos);
+    std::memcpy(CMSG_DATA(header), &tos, sizeof tos);
+  }
+  return sendmsg(socket, &message, MSG_DONTWAIT | MSG_NOSIGNAL);
+}
+
 std::uint16_t port_of(int socket) {
   sockaddr_in bound{};
   socklen_t size = sizeof bound;
@@ -139,7 +163,7 @@ int UdpLink::open_socket(in_addr address, bool shared) const {
   return socket;
 }
 
-void UdpLink::transmit(AgentId next_hop, Bytes frame, node::routing::LinkTag) {
+void UdpLink::transmit(AgentId next_hop, Bytes frame, const node::routing::LinkOptions& options) {
   last_size_ = frame.size();
   if (!radio_on_) {
     ++counts_.radio_off;
@@ -158,9 +182,7 @@ void UdpLink::transmit(AgentId next_hop, Bytes frame, node::routing::LinkTag) {
     ++counts_.not_sent;
     return;
   }
-  const Bytes datagram = to_datagram(config_.self, frame);
-  const auto sent = sendto(own_, datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
-                           generic(to), sizeof to);
+  const auto sent = send_datagram(own_, to_datagram(config_.self, frame), to, options.priority);
   sent < 0 ? ++counts_.not_sent : ++counts_.sent;
   note_error(sent < 0 ? errno : 0);
 }

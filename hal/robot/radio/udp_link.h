@@ -68,8 +68,9 @@ class UdpLink final : public node::agent::Link {
   void attach(FrameHandler on_frame) { on_frame_ = std::move(on_frame); }
 
   node::routing::LinkCapabilities capabilities() const override { return {}; }
-  /// A frame that cannot be sent, or is longer than kMaxFrame, is counted and dropped.
-  void transmit(AgentId next_hop, Bytes frame, node::routing::LinkTag tag) override;
+  /// A frame that cannot be sent, or is longer than kMaxFrame, is counted and dropped. Its priority
+  /// is the class selector of the datagram's DSCP, from which Linux takes the access category.
+  void transmit(AgentId next_hop, Bytes frame, const node::routing::LinkOptions& options) override;
   /// Transmission time of a frame with the size of the last one, at the nominal bit rate.
   Duration expected_delay() const override;
   double transmit_energy(std::size_t bytes) const override;

@@ -9,7 +9,28 @@ AccessPoint::AccessPoint(const Context& context, const DcfConfig& config,
                          std::unique_ptr<DcfMac> dcf, const Network& network)
     : BssMac(context, config, std::move(dcf)), network_(network) {
   network_.distribution.add(*this);
+  update_ht_operation();
   schedule_beacon(now() + network_.first_beacon);
+}
+
+/// IEEE Std 802.11-2020, 10.27.3.1, from the stations that are associated now. Stations without HT
+/// on the channel are detected from the start.
+void AccessPoint::update_ht_operation() {
+  if (!network_.bss.capabilities) return;
+  HtSurroundings around{.width = network_.bss.capabilities->width};
+  std::size_t non_ht = 0;
+  for (const auto& [station, id] : associated_) {
+    const Capabilities of = cell().capabilities(station);
+    const bool has_ht = of.supports(ModulationClass::kHt);
+    if (!has_ht) ++non_ht;
+    around.narrow_members = around.narrow_members || (has_ht && of.width < around.width);
+  }
+  around.non_ht_members = non_ht > 0;
+  around.non_ht_others = cell().without_ht() > non_ht;
+  network_.bss.ht_operation = {.protection = ht_protection(around),
+                               .non_greenfield = associated_.size() > non_ht,
+                               .obss_non_ht = around.non_ht_others};
+  follow(network_.bss.ht_operation.protection);
 }
 
 /// 11.1.3.2: target times do not depend on whether beacons are actually sent.
@@ -36,6 +57,7 @@ void AccessPoint::on_radio(bool on) {
   for (const auto& [station, id] : std::exchange(associated_, {})) {
     network_.distribution.release(station, agent());
   }
+  update_ht_operation();
 }
 
 void AccessPoint::on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
@@ -115,14 +137,20 @@ void AccessPoint::on_management_sent(const MacRequest& request, hal::Verdict ver
   if (offer.empty() || verdict != hal::Verdict::kDelivered) return;
   associated_[request.destination] = offer.mapped();
   network_.distribution.associate(request.destination, agent());
+  update_ht_operation();
 }
 
-void AccessPoint::on_moved(hal::AgentId station) { associated_.erase(station); }
+void AccessPoint::on_moved(hal::AgentId station) {
+  associated_.erase(station);
+  update_ht_operation();
+}
 
 void AccessPoint::forget(hal::AgentId station) {
   authenticated_.erase(station);
   offered_.erase(station);
-  if (associated_.erase(station) > 0) network_.distribution.release(station, agent());
+  if (associated_.erase(station) == 0) return;
+  network_.distribution.release(station, agent());
+  update_ht_operation();
 }
 
 /// Answers data of a station that is not associated (11.3.4.1).

@@ -51,6 +51,7 @@ class AccessPoint final : public BssMac, private DistributionPort {
   /// Sends a frame to a station of its own BSS.
   void relay(const MacRequest& request, hal::AgentId source);
   std::optional<std::uint16_t> free_association_id() const;
+  void update_ht_operation();
   void answer(FrameType type, hal::AgentId station, hal::Bytes body);
   bool has(hal::AgentId station) const { return associated_.contains(station); }
 

@@ -45,6 +45,8 @@ class BssMac : public MacBase, protected FrameListener {
   virtual void on_management_sent(const MacRequest& request, hal::Verdict verdict) = 0;
   virtual void on_radio(bool on) = 0;
 
+  /// As Protection::follow().
+  void follow(std::optional<HtProtection> told) { dcf_->follow(told); }
   /// Makes a data frame of the BSS; `receiver` and `ds` determine its addresses (table 9-26).
   static MacRequest data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds);
 

@@ -8,6 +8,7 @@ BssStation::BssStation(const Context& context, const DcfConfig& config, std::uni
                        Membership membership)
     : BssMac(context, config, std::move(dcf)),
       access_points_(std::move(membership.access_points)),
+      has_ht_(membership.bss.capabilities.has_value()),
       association_(context.events, {context.agent, std::move(membership.bss), membership.scan},
                    membership.config, *this) {
   association_.start();
@@ -15,7 +16,10 @@ BssStation::BssStation(const Context& context, const DcfConfig& config, std::uni
 
 void BssStation::on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   if (frame.type == FrameType::kBeacon) return on_beacon(frame, rssi);
-  if (is_management(frame.type)) return association_.on_management(frame);
+  if (is_management(frame.type)) {
+    association_.on_management(frame);
+    return heed(frame);
+  }
   if (frame.ds == Ds::kFrom && may_use(frame.transmitter)) return on_data(frame, rssi, snr);
   // From an ad hoc network, or from an access point that it may not use.
   if (!frame.is_broadcast()) lose(frame);
@@ -39,6 +43,22 @@ void BssStation::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
 
 void BssStation::on_beacon(const Frame& frame, hal::Dbm rssi) {
   if (may_use(frame.transmitter)) association_.on_beacon(frame, rssi);
+  heed(frame);
+}
+
+/// Follows what its access point says of protection.
+void BssStation::heed(const Frame& frame) {
+  if (!has_ht_ || frame.transmitter != association_.access_point()) return;
+  if (frame.type == FrameType::kBeacon) {
+    if (const auto beacon = decode_beacon(*frame.payload)) {
+      follow(beacon->bss.ht_operation.protection);
+    }
+  } else if (frame.type == FrameType::kAssociationResponse ||
+             frame.type == FrameType::kReassociationResponse) {
+    if (const auto response = decode_association_response(*frame.payload)) {
+      follow(response->bss.ht_operation.protection);
+    }
+  }
 }
 
 std::optional<MacRequest> BssStation::frame_for(const Waiting& waiting) {
@@ -60,6 +80,7 @@ void BssStation::on_association() {
   const std::optional<hal::AgentId> now_with = association_.access_point();
   if (now_with != told_) {
     told_ = now_with;
+    if (!now_with) follow(std::nullopt);
     observer().on_association(now(), agent(), now_with);
   }
   serve();

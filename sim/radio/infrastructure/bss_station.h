@@ -36,8 +36,10 @@ class BssStation final : public BssMac, private Association::Client {
   bool may_use(hal::AgentId access_point) const;
   void on_beacon(const Frame& frame, hal::Dbm rssi);
   void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+  void heed(const Frame& frame);
 
   std::vector<hal::AgentId> access_points_;
+  const bool has_ht_;
   Association association_;
   std::optional<hal::AgentId> told_;  ///< Access point last reported to the observer.
 };

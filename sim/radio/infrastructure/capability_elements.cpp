@@ -23,6 +23,10 @@ constexpr std::uint8_t kHt40 = 0x02, kHtShort20 = 0x20, kHtShort40 = 0x40;
 constexpr std::uint8_t kNoPowerSave = 0x0c;  // SM Power Save: disabled
 constexpr std::size_t kHtMcsSet = 3;         // after the information and the A-MPDU parameters
 
+/// Second octet of the HT Operation Information: HT Protection, and two flags.
+constexpr std::size_t kHtProtectionAt = 2;
+constexpr std::uint8_t kHtProtection = 0x03, kNonGreenfield = 0x04, kObssNonHt = 0x10;
+
 /// Secondary Channel Offset (9.4.2.56): above, below.
 constexpr std::uint8_t kAbove = 1, kBelow = 3, kAnyWidth = 4;
 
@@ -76,10 +80,13 @@ std::uint8_t secondary(std::uint8_t channel) {
   return first_of_block(channel, 2) == channel ? kAbove : kBelow;
 }
 
-hal::Bytes ht_operation(const Capabilities& own, std::uint8_t channel) {
+hal::Bytes ht_operation(const Capabilities& own, std::uint8_t channel, const HtOperation& ht) {
   hal::Bytes content(kHtOperationSize);
   content[0] = channel;
   if (own.width >= 40) content[1] = secondary(channel) | kAnyWidth;
+  content[kHtProtectionAt] = static_cast<std::uint8_t>(static_cast<unsigned>(ht.protection) |
+                                                       (ht.non_greenfield ? kNonGreenfield : 0U) |
+                                                       (ht.obss_non_ht ? kObssNonHt : 0U));
   return content;
 }
 
@@ -176,10 +183,10 @@ void put_capability_elements(hal::Bytes& out, const Capabilities& capabilities) 
   }
 }
 
-void put_operation_elements(hal::Bytes& out, const Capabilities& capabilities,
-                            std::uint8_t channel) {
+void put_operation_elements(hal::Bytes& out, const Capabilities& capabilities, std::uint8_t channel,
+                            const HtOperation& ht) {
   if (!capabilities.supports(ModulationClass::kHt)) return;
-  put_sized(out, kHtOperation, ht_operation(capabilities, channel));
+  put_sized(out, kHtOperation, ht_operation(capabilities, channel, ht));
   if (capabilities.supports(ModulationClass::kVht)) {
     put_sized(out, kVhtOperation, vht_operation(capabilities, channel));
   }
@@ -195,6 +202,14 @@ bool take_capability_element(std::uint8_t id, std::span<const std::uint8_t> cont
   }
   const bool is_he = id == kExtension && !content.empty() && content[0] == kHeCapabilities;
   return !is_he || take_he(content, capabilities);
+}
+
+void take_ht_operation(std::uint8_t id, std::span<const std::uint8_t> content, HtOperation& ht) {
+  if (id != kHtOperation || content.size() <= kHtProtectionAt) return;
+  const std::uint8_t flags = content[kHtProtectionAt];
+  ht = {.protection = static_cast<HtProtection>(flags & kHtProtection),
+        .non_greenfield = (flags & kNonGreenfield) != 0,
+        .obss_non_ht = (flags & kObssNonHt) != 0};
 }
 
 }  // namespace sim::radio

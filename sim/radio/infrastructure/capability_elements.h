@@ -4,6 +4,7 @@
 #include <span>
 
 #include "hal/types/message.h"
+#include "sim/radio/mac/ht_protection.h"
 #include "sim/radio/phy/capabilities.h"
 
 namespace sim::radio {
@@ -15,12 +16,15 @@ namespace sim::radio {
 /// Appends the capability elements of the classes that a station supports.
 void put_capability_elements(hal::Bytes& out, const Capabilities& capabilities);
 /// Appends the operation elements, of beacons and association responses. @param channel  primary.
-void put_operation_elements(hal::Bytes& out, const Capabilities& capabilities,
-                            std::uint8_t channel);
+void put_operation_elements(hal::Bytes& out, const Capabilities& capabilities, std::uint8_t channel,
+                            const HtOperation& ht);
 
 /// Adds to `capabilities` what an element says. @param id  element ID; @param content  without ID
 /// and length. @return false: an element that is too short. Other elements have no effect.
 bool take_capability_element(std::uint8_t id, std::span<const std::uint8_t> content,
                              Capabilities& capabilities);
+
+/// Sets `ht` if the element is an HT Operation element.
+void take_ht_operation(std::uint8_t id, std::span<const std::uint8_t> content, HtOperation& ht);
 
 }  // namespace sim::radio

@@ -61,7 +61,8 @@ void put_capabilities(hal::Bytes& out, const BssParameters& bss) {
 }
 
 void put_operation(hal::Bytes& out, const BssParameters& bss) {
-  if (bss.capabilities) put_operation_elements(out, *bss.capabilities, bss.primary_channel);
+  if (bss.capabilities)
+    put_operation_elements(out, *bss.capabilities, bss.primary_channel, bss.ht_operation);
 }
 
 /// Reads fields one after the other.
@@ -117,6 +118,7 @@ class BodyReader {
       bss.rates.insert(bss.rates.end(), content.begin(), content.end());
     }
     take_capabilities(id, content, bss);
+    take_ht_operation(id, content, bss.ht_operation);
     if (id == kDsssParametersElement && !content.empty()) bss.channel = content[0];
     if (id == kErpElement && !content.empty()) {
       bss.erp = true;

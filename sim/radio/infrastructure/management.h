@@ -9,6 +9,7 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/message.h"
 #include "hal/types/time.h"
+#include "sim/radio/mac/ht_protection.h"
 #include "sim/radio/mac/mac_sap.h"
 #include "sim/radio/phy/capabilities.h"
 #include "sim/radio/phy/phy_mode.h"
@@ -32,6 +33,7 @@ struct BssParameters {
   /// (capability_elements.h).
   std::optional<Capabilities> capabilities{};
   std::uint8_t primary_channel = 0;  ///< For the operation elements.
+  HtOperation ht_operation{};        ///< Of an access point that knows HT.
   bool operator==(const BssParameters&) const = default;
 };
 

@@ -40,6 +40,8 @@ class DcfMac final : public MacBase,
   std::size_t waiting() const override { return originator_.waiting(); }
   RadioUse use() const override { return radio_.use(); }
   void set_use_listener(RadioUseListener* listener) override { radio_.set_use_listener(listener); }
+  /// As Protection::follow().
+  void follow(std::optional<HtProtection> told) { originator_.protection().follow(told); }
 
  private:
   std::size_t queued() const override { return originator_.waiting(); }

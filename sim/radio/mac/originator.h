@@ -40,6 +40,7 @@ class Originator {
   Originator(const Parts& parts, FrameFactory& frames);
 
   const Protection& protection() const { return protection_; }
+  Protection& protection() { return protection_; }
   /// Function that sends a request.
   ContentionFunction function_of(const MacRequest& request) const;
   std::size_t room(ContentionFunction function) const;

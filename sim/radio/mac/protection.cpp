@@ -6,15 +6,37 @@ Protection::Protection(const DcfConfig& config, const ModeSet& modes, const Cell
       modes_(modes),
       cell_(cell),
       kind_(config.protection == ProtectionKind::kAuto ? ProtectionKind::kCtsToSelf
-                                                       : config.protection) {
+                                                       : config.protection),
+      ht_(of_cell()) {
   const bool is_auto = config.protection == ProtectionKind::kAuto;
   const bool is_any = kind_ != ProtectionKind::kNone;
   protects_ofdm_ = is_auto ? cell.is_mixed() : is_any;
-  protects_ht_ = is_auto ? !cell.all_support(ModulationClass::kHt) : is_any;
+}
+
+/// As in an IBSS, all stations count as members.
+HtProtection Protection::of_cell() const {
+  return ht_protection({.non_ht_members = cell_.without_ht() > 0,
+                        .narrow_members = cell_.narrowest() < cell_.widest(),
+                        .width = cell_.widest()});
+}
+
+bool Protection::protects_ht(const PhyMode& data) const {
+  if (config_.protection != ProtectionKind::kAuto) return kind_ != ProtectionKind::kNone;
+  constexpr std::uint16_t kNarrow = 20;
+  switch (ht_) {
+    case HtProtection::kNone:
+      return false;
+    case HtProtection::k20Mhz:
+      return config_.wide_protection && data.width() > kNarrow;
+    case HtProtection::kNonmember:
+    case HtProtection::kNonHtMixed:
+      return true;
+  }
+  return true;
 }
 
 bool Protection::protects(const PhyMode& data) const {
-  if (has_streams(data.modulation_class())) return protects_ht_;
+  if (has_streams(data.modulation_class())) return protects_ht(data);
   return data.modulation_class() == ModulationClass::kOfdm && protects_ofdm_;
 }
 

@@ -192,5 +192,57 @@ TEST_F(BlockAckByHand, AnRtsBeforeAWideFrameWithAnOlderStation) {
   expect_whole_slots(start(4) - (idle + kHtSifs + 2 * kHtSlot), 15);
 }
 
+/// Stations 1 and 2 send in 40 MHz, 3 knows HT but has only 20 MHz. It sends a broadcast that comes
+/// to it while 1 sends.
+class BesideTwentyMegahertz : public BlockAckByHand {
+ protected:
+  void run(bool is_protected) {
+    auto& n = std::get<Ieee80211nConfig>(air.config);
+    n.mcs.width = 40;
+    n.aggregation.max_ampdu = 0;
+    n.wide_protection = is_protected;
+    air.add_line(3, 30);
+    air.station_config(3).width = 20;
+    air.build();
+    air.at(100ms, [this] { air.send(1, 2, kOctets); });
+    air.at(100ms + 10us, [this] { air.broadcast(3, kOctets); });
+    air.run(200ms);
+  }
+
+  // 40 MHz, 540 bits a symbol: (22 + 1104) / 540 = 2.1.
+  static constexpr hal::Duration kWide = kHtHead + 3 * 4us + kExtension;
+};
+
+// 10.27.3.1 asks for nothing: 3 takes the end of the frame from its L-SIG.
+TEST_F(BesideTwentyMegahertz, AWideFrameIsNotProtectedAndTheNarrowStationDefers) {
+  run(false);
+  EXPECT_EQ(frame(0).frame.type, FrameType::kData);
+  EXPECT_EQ(frame(0).frame.mode->width(), 40);
+  EXPECT_EQ(start(0), 100ms);
+  EXPECT_NE(verdict(0, 3), hal::Verdict::kDelivered);
+  const hal::Duration ack = 100ms + kWide + kDelay30 + kHtSifs;
+  EXPECT_EQ(start(1), ack);
+  EXPECT_EQ(frame(2).frame.transmitter.value, 3);
+  expect_whole_slots(start(2) - (ack + kAckTime + kDelay30 + kAifsBe), 15);
+}
+
+// As drivers do: a CTS-to-self of 14 octets at 24 Mb/s, whose Duration ends with the ACK.
+TEST_F(BesideTwentyMegahertz, AWideFrameIsProtectedAsDriversDo) {
+  run(true);
+  EXPECT_EQ(frame(0).frame.type, FrameType::kCts);
+  EXPECT_EQ(frame(0).frame.receiver.value, 1);
+  EXPECT_EQ(frame(0).frame.mode->modulation_class(), ModulationClass::kOfdm);
+  EXPECT_EQ(frame(0).frame.airtime, kAckTime);
+  EXPECT_EQ(frame(0).frame.duration, kHtSifs + kWide + kHtSifs + kAckTime);
+  EXPECT_EQ(verdict(0, 3), hal::Verdict::kDelivered);
+  const hal::Duration data = 100ms + kAckTime + kHtSifs;
+  EXPECT_EQ(start(1), data);
+  EXPECT_EQ(frame(1).frame.mode->width(), 40);
+  const hal::Duration ack = data + kWide + kDelay30 + kHtSifs;
+  EXPECT_EQ(start(2), ack);
+  EXPECT_EQ(frame(3).frame.transmitter.value, 3);
+  expect_whole_slots(start(3) - (ack + kAckTime + kDelay30 + kAifsBe), 15);
+}
+
 }  // namespace
 }  // namespace sim::radio::test

@@ -46,6 +46,7 @@ class Anything {
   std::int64_t i64() { return static_cast<std::int64_t>(random_.next()); }
   hal::Duration duration() { return hal::Duration{i64()}; }
   hal::Time time() { return hal::time_from_ns(i64()); }
+  hal::Priority priority() { return hal::Priority{static_cast<std::uint8_t>(random_.below(256))}; }
   hal::AgentId agent() { return hal::AgentId{u16()}; }
   double number() {
     const double extremes[] = {0.0,
@@ -145,7 +146,7 @@ hal::node::exchange::AgentSession any_agent(Anything& any) {
 std::vector<Event::What> any_happenings(Anything& any) {
   return {hal::node::exchange::Start{},
           hal::node::exchange::MessageArrived{
-              {any.agent(), any.agent(), any.u32(), any.text(), any.bytes()}},
+              {any.agent(), any.agent(), any.u32(), any.text(), any.bytes(), any.priority()}},
           hal::node::exchange::TimerDue{any.u32()},
           hal::node::exchange::Notice{any.u32(), any.enumerator(hal::Fate::kFailed)},
           hal::node::exchange::LinkChanged{},
@@ -179,16 +180,17 @@ Event any_event(Anything& any, Event::What what) {
 
 /// One of each kind, in their order.
 std::vector<Action::What> any_commands(Anything& any) {
-  return {hal::node::exchange::DriveBody{{any.number(), any.number(), any.number()}},
-          hal::node::exchange::DriveWheels{any.numbers()},
-          hal::node::exchange::Send{any.u32(), any.agent(), any.text(), any.bytes()},
-          hal::node::exchange::Invalidate{any.agent(), any.text()},
-          hal::node::exchange::SetTimer{any.u32(), any.time()},
-          hal::node::exchange::SetRadio{any.flag()},
-          hal::node::exchange::SetState{any.text()},
-          hal::node::exchange::Log{any.enumerator(hal::log::Level::kError), any.text()},
-          hal::node::exchange::ControllerFailed{any.text()},
-          hal::node::exchange::Record{any.text(), any.number(), any.time()}};
+  return {
+      hal::node::exchange::DriveBody{{any.number(), any.number(), any.number()}},
+      hal::node::exchange::DriveWheels{any.numbers()},
+      hal::node::exchange::Send{any.u32(), any.agent(), any.text(), any.bytes(), any.priority()},
+      hal::node::exchange::Invalidate{any.agent(), any.text()},
+      hal::node::exchange::SetTimer{any.u32(), any.time()},
+      hal::node::exchange::SetRadio{any.flag()},
+      hal::node::exchange::SetState{any.text()},
+      hal::node::exchange::Log{any.enumerator(hal::log::Level::kError), any.text()},
+      hal::node::exchange::ControllerFailed{any.text()},
+      hal::node::exchange::Record{any.text(), any.number(), any.time()}};
 }
 
 Action any_action(Anything& any) {

@@ -59,6 +59,18 @@ TEST(Send, NumbersMessagesFromOneAndSkipsRefusedOnes) {
   EXPECT_EQ(std::get<exchange::Send>(actions[2].what).id, 2U);
 }
 
+TEST(Send, HasThePriorityThatTheControllerChooses) {
+  const Actions actions = actions_of([](hal::Robot& robot) {
+    EXPECT_TRUE(robot.send(AgentId{3}, "help", {}, {.priority = hal::Priority::kVoice}));
+    EXPECT_TRUE(robot.send(AgentId{3}, "help", {}));
+    EXPECT_FALSE(robot.send(AgentId{3}, "help", {}, {.priority = hal::Priority{8}}));
+  });
+  ASSERT_EQ(actions.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<exchange::Log>(actions[2].what)) << "why it is refused";
+  EXPECT_EQ(std::get<exchange::Send>(actions[0].what).priority, hal::Priority::kVoice);
+  EXPECT_EQ(std::get<exchange::Send>(actions[1].what).priority, hal::Priority::kBestEffort);
+}
+
 TEST(Send, TakesTheTopicsThatAnAgentMayUseAndDoesNotFloodTheLogWithThoseTooMany) {
   int granted = 0, refused = 0;
   std::string why;

@@ -134,7 +134,7 @@ std::string with_topic(const std::string& sql, const std::string& topic) {
   std::string all = sql + "INSERT INTO countable VALUES ('messages.ends', '', 'delivered');";
   if (!topic.empty()) {
     all += fmt::format(
-        "INSERT INTO messages VALUES (1, 1, 2, '{}', 1, 0, NULL, NULL, 'delivered');", topic);
+        "INSERT INTO messages VALUES (1, 1, 2, '{}', 1, 0, NULL, NULL, 'delivered', 0);", topic);
   }
   return all;
 }

@@ -119,8 +119,8 @@ TEST(McapExport, MergesTablesByTime) {
 
 TEST(McapExport, ToldAndDeliveredAreFates) {
   const Exported made = write(
-      "INSERT INTO messages VALUES (1, 7, 2, 'help', 9, 100, 'handed over', 150, 'delivered'),"
-      " (1, 8, 2, 'help', 9, 100, NULL, NULL, 'expired');"
+      "INSERT INTO messages VALUES (1, 7, 2, 'help', 9, 100, 'handed over', 150, 'delivered', 0),"
+      " (1, 8, 2, 'help', 9, 100, NULL, NULL, 'expired', 0);"
       "INSERT INTO deliveries VALUES (1, 7, 2, 140, 40, 1);");
   EXPECT_EQ(made.messages, kAlways + 2);
   const std::size_t delivered = made.place(message_fate(140, "r0", "", "delivered"));

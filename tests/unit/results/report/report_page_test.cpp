@@ -32,7 +32,7 @@ INSERT INTO links VALUES (1,2), (2,3);
 INSERT INTO poses VALUES (3,0,1,1,0), (3,30000000000,2,1,0), (3,31000000000,2.5,1,0),
   (3,62000000000,9,9,0), (1,0,0,0,0);
 INSERT INTO packets VALUES (1,2,'unicast',10), (2,1,'unicast',20), (2,1,'broadcast',5);
-INSERT INTO messages VALUES (1,1,2,'help',2,0,'handed over',1,'delivered');
+INSERT INTO messages VALUES (1,1,2,'help',2,0,'handed over',1,'delivered',0);
 INSERT INTO deliveries VALUES (1,1,2,{},{},1);
 INSERT INTO discoveries VALUES (1,'help',2,0,2000000,1), (1,'help',2,0,15000000000,0);
 )sql",

@@ -29,9 +29,9 @@ INSERT INTO ends VALUES (2,'DONE',0,'arrived'), (NULL,NULL,0,'timeout');
 INSERT INTO links VALUES (1,2), (1,3);
 INSERT INTO bodies VALUES (3,7.5,0.4,0,3.0,3.9,0,0,2);
 INSERT INTO packets VALUES (1,2,'unicast',10), (2,1,'unicast',20), (2,1,'broadcast',5);
-INSERT INTO messages VALUES (1,1,2,'help',2,0,'handed over',1,'delivered'),
-  (1,2,2,'help',2,0,'handed over',1,'delivered'), (1,3,2,'help',2,0,'handed over',1,'delivered'),
-  (1,4,2,'help',2,0,'no route',1,'no route'), (1,5,65535,'help',2,0,'handed over',1,'delivered');
+INSERT INTO messages VALUES (1,1,2,'help',2,0,'handed over',1,'delivered',0),
+  (1,2,2,'help',2,0,'handed over',1,'delivered',0), (1,3,2,'help',2,0,'handed over',1,'delivered',0),
+  (1,4,2,'help',2,0,'no route',1,'no route',0), (1,5,65535,'help',2,0,'handed over',1,'delivered',0);
 INSERT INTO deliveries VALUES (1,1,2,1000000,1000000,1), (1,2,2,2000000,2000000,2),
   (1,3,2,4000000,4000000,2), (1,5,2,300000,300000,1), (1,5,3,300000,300000,1);
 INSERT INTO discoveries VALUES (1,'help',2,0,962181,1), (1,'help',2,0,3000000,1),
@@ -244,7 +244,7 @@ TEST_F(ReportTest, AZeroIsShownAndWhatIsMissingIsNot) {
 
 TEST_F(ReportTest, OnlyWhatRoutingRelaysIsAFlood) {
   const std::string both =
-      "INSERT INTO messages VALUES (1,6,65534,'help',2,0,'handed over',1,'delivered');"
+      "INSERT INTO messages VALUES (1,6,65534,'help',2,0,'handed over',1,'delivered',0);"
       "INSERT INTO deliveries VALUES (1,6,2,300000,300000,1);";
   add("a", run_sql("ideal", 1) + both);
   std::string printed = text();

@@ -170,6 +170,40 @@ TEST_P(Tshark, ReadsEveryFrameOfTwoAccessPointsAsItIsMeant) {
   EXPECT_EQ(beacon_elements(), elements.at(GetParam()));
 }
 
+/// What tshark reads of the HT Operation element in the last beacon of an access point of 40 MHz
+/// beside two others.
+std::string protection_with(const StationConfig& second, const StationConfig& third) {
+  Air air(Profile::kIeee80211n);
+  std::get<Ieee80211nConfig>(air.config).mcs.width = 40;
+  dcf_of(air.config)->bss.access_points = {"s1"};
+  for (int i = 0; i < 3; ++i) air.add({5.0 * i, 0, 0});
+  air.station_config(2) = second;
+  air.station_config(3) = third;
+  air.build();
+  air.run(510ms);
+  const fs::path file = fs::path(testing::TempDir()) / fmt::format("ht_{}.pcap", ::getpid());
+  write_pcap(file, air.log.starts);
+  const std::string found = tests::output_of(
+      "tshark -r '" + file.string() + "' -Y wlan.fc.type_subtype==8 -T fields" +
+      " -e wlan.ht.info.secchanoffset -e wlan.ht.info.ht_protection -e wlan.ht.info.greenfield" +
+      " -e wlan.ht.info.obssnonht -e _ws.malformed 2>/dev/null | tail -n 1");
+  fs::remove(file);
+  return found.substr(0, found.find('\n'));
+}
+
+// The secondary channel above; HT Protection, and whether there are members that do not know the
+// greenfield format, and others that do not know HT.
+TEST(TsharkHtOperation, ReadsTheProtectionThatAnAccessPointAsksFor) {
+  if (tests::output_of("command -v tshark").empty()) GTEST_SKIP() << "tshark is not installed";
+  const StationConfig older{.standard = Standard::kIeee80211g}, narrow{.width = 20};
+  StationConfig foreign = older;
+  foreign.access_points = std::vector<std::string>{};
+  EXPECT_EQ(protection_with({}, {}), "0x01\t0x0000\t1\t0\t");
+  EXPECT_EQ(protection_with({}, foreign), "0x01\t0x0001\t1\t1\t");
+  EXPECT_EQ(protection_with({}, narrow), "0x01\t0x0002\t1\t0\t");
+  EXPECT_EQ(protection_with({}, older), "0x01\t0x0003\t1\t0\t");
+}
+
 INSTANTIATE_TEST_SUITE_P(Profiles, Tshark,
                          testing::Values(Profile::kIeee80211b, Profile::kIeee80211g,
                                          Profile::kIeee80211n, Profile::kIeee80211ac,

@@ -85,7 +85,9 @@ radio:
 routing:
   {beta: 3, direct_weight: 1e5, jitter_max: 90 ms, retry_period: 4 s, retry_jitter: 0.3,
    retries: 2, acceptance: 1.4, accept_anywhere: true, hop_limit: 29, buffer_limit: 63, buffer_age: 9 s,
-   ack_timeout: 40 ms, ack_attempts: 3, hello_period: 900 ms, hello_limit: 5}
+   ack_timeout: 40 ms, ack_attempts: 3, hello_period: 900 ms, hello_limit: 5,
+   control_priority: 6}
+priorities: {alarm: voice, images: 1, cam.1: 7}
 localisation: {range: none}
 agents:
   odd:
@@ -374,6 +376,12 @@ TEST_F(Resolved, KeepsTheRouting) {
   EXPECT_EQ(c.ack_attempts, 3);
   EXPECT_EQ(c.hello_period, 900ms);
   EXPECT_EQ(c.hello_limit, 5u);
+  using hal::Priority;
+  EXPECT_EQ(c.control_priority, Priority{6});
+  EXPECT_EQ(
+      c.priorities,
+      (std::map<std::string, Priority, std::less<>>{
+          {"alarm", Priority::kVoice}, {"cam.1", Priority{7}}, {"images", Priority::kBackground}}));
 }
 
 TEST_F(Resolved, KeepsHowRoutesAreChosen) {

@@ -160,8 +160,9 @@ TEST_F(Tiles, TooManyMessagesAreCountedByTopic) {
   result.end(10'000'000'000);
   result.execute(
       "WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 5999)"
-      " INSERT INTO messages (sender, id, destination, topic, bytes, sent_ns) SELECT 1 + i % 2, i, "
-      "3, CASE i % 3 WHEN 0 THEN 'a' ELSE 'b' END, 1, i * 1000000 FROM n");
+      " INSERT INTO messages (sender, id, destination, topic, bytes, sent_ns, priority) SELECT 1 + "
+      "i % 2, i, "
+      "3, CASE i % 3 WHEN 0 THEN 'a' ELSE 'b' END, 1, i * 1000000, 0 FROM n");
   const json bins = ask("messages/12/0").at("bins");
   EXPECT_EQ(bins["topics"], json({"a", "b"}));
   EXPECT_EQ(bins["counts"][0][0], 358);  // of 1074 in the first 1.07 s

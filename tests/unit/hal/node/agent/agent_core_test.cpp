@@ -29,12 +29,16 @@ const Neighbour kHeard{.id = kOther, .last_heard = Time{1s}, .rssi_dbm = -50};
 class FakeLink final : public Link {
  public:
   routing::LinkCapabilities capabilities() const override { return {.tx_status = true}; }
-  void transmit(AgentId, Bytes, routing::LinkTag) override { ++frames; }
+  void transmit(AgentId, Bytes, const routing::LinkOptions& options) override {
+    ++frames;
+    last = options.priority;
+  }
   Duration expected_delay() const override { return 1ms; }
   double transmit_energy(std::size_t) const override { return 0; }
   void set_radio(bool is_on) override { on = is_on; }
 
   int frames = 0;
+  Priority last{};  ///< Of the last frame.
   bool on = true;
 };
 
@@ -80,7 +84,10 @@ class Notes final : public AgentObserver, public AgentListener {
   void on_reading(Time, AgentId, const Channel& channel, std::span<const double>) override {
     readings.push_back(channel.name);
   }
-  void on_message_sent(Time, const Message& message) override { sent.push_back(message.id); }
+  void on_message_sent(Time, const Message& message) override {
+    sent.push_back(message.id);
+    priorities.push_back(message.priority);
+  }
   void on_inbox(AgentId) override { ++inbox; }
   void on_state(AgentId, const std::string& state) override { states.push_back(state); }
   void on_state(Time, AgentId, std::string_view) override {}
@@ -91,6 +98,7 @@ class Notes final : public AgentObserver, public AgentListener {
   std::string observed;
   std::vector<std::string> readings, states, records;
   std::vector<MessageId> sent;
+  std::vector<Priority> priorities;  ///< Of those.
   int inbox = 0;
 };
 
@@ -108,7 +116,7 @@ class Core : public testing::Test {
       channel.id = static_cast<std::uint16_t>(10 * session.channels.size());
       channel.name = name;
     }
-    core_.emplace(session, routing::RoutingConfig{},
+    core_.emplace(session, routing::RoutingConfig{.priorities = {{"alarm", Priority{7}}}},
                   AgentCore::Ports{clock_, link_, &drive_, sensors_, notes_, notes_});
     log::set_level(log::Level::kError);
   }
@@ -138,12 +146,31 @@ class Core : public testing::Test {
   }
 
   FakeClock clock_;
+  MessageId last_ = 0;
   FakeLink link_;
   FakeDrive drive_;
   FakeSensors sensors_;
   Notes notes_;
   std::optional<AgentCore> core_;
 };
+
+TEST_F(Core, TheFileGivesTheMessagesOfATopicAPriorityInPlaceOfTheControllers) {
+  start();
+  link_.last = {};
+  const auto priority_of = [&](const char* topic, Priority asked) {
+    EXPECT_TRUE(apply(exchange::Send{.id = ++last_,
+                                     .destination = kNeighbours,
+                                     .topic = topic,
+                                     .payload = {},
+                                     .priority = asked}));
+    EXPECT_EQ(link_.last, notes_.priorities.back()) << "on the air as in the record";
+    return link_.last;
+  };
+  EXPECT_EQ(priority_of("plain", {}), Priority::kBestEffort);
+  EXPECT_EQ(priority_of("plain", Priority::kVideo), Priority::kVideo);
+  EXPECT_EQ(priority_of("alarm", {}), Priority{7});
+  EXPECT_EQ(priority_of("alarm", Priority::kVideo), Priority{7});
+}
 
 TEST_F(Core, WithoutAControllerNothingWaitsForAnybody) {
   core_->on_message({kOther, kSelf, 1, "test", {}}, 1);

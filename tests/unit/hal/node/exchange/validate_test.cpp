@@ -73,6 +73,13 @@ TEST_F(ValidAction, DrivesNoMote) {
   EXPECT_EQ(mistake(DriveWheels{}), "the agent has no wheels");
 }
 
+TEST_F(ValidAction, SendsWithAPriorityOf802dot11) {
+  message_.priority = Priority{7};
+  EXPECT_EQ(mistake(message_), "");
+  message_.priority = Priority{8};
+  EXPECT_EQ(mistake(message_), "priority is 8, 0 to 7 are allowed");
+}
+
 TEST_F(ValidAction, GoesToAnotherAgentOrToEveryone) {
   message_.destination = AgentId{4};
   EXPECT_EQ(mistake(message_), "destination 4 is this agent itself");

@@ -97,7 +97,7 @@ TEST(Pheromone, OfAvoidedOrEmptyTrailsIsNotChosen) {
 /// Takes frames and does nothing.
 struct IdleLink final : Link {
   LinkCapabilities capabilities() const override { return {.tx_status = status, .rssi = false}; }
-  void transmit(AgentId, Bytes, LinkTag) override {}
+  void transmit(AgentId, Bytes, const LinkOptions&) override {}
   Duration expected_delay() const override { return 9ms; }
   double transmit_energy(std::size_t) const override { return 0; }
   bool status = true;

@@ -239,6 +239,42 @@ TEST(HopAcknowledgement, ANeighbourGivenUpTakesAllItsFramesAlong) {
   EXPECT_EQ(network.node(1).fates.size(), 20u);
 }
 
+TEST(HopAcknowledgement, AWindowFullOfBestEffortHoldsNoVoiceBack) {
+  Network network = silent_links(2);
+  warm_up(network);
+  const Time start = network.clock.now();
+  network.is_lost = [&](AgentId, AgentId) { return network.clock.now() == start; };
+  for (std::size_t i = 0; i < HopAcknowledgement::kWindow + 3; ++i) network.send(1, 2);
+  network.run(Duration{1ms});
+  network.send(1, 2, "help", Priority::kVoice);
+  network.run(Duration{3ms});
+  const auto frames = sent(network, 1, is_data);
+  ASSERT_EQ(frames.size(), HopAcknowledgement::kWindow + 1);
+  EXPECT_EQ(frames.back().priority, Priority::kVoice);
+  ASSERT_EQ(network.node(2).messages.size(), 2u);
+  EXPECT_EQ(network.node(2).messages.back().priority, Priority::kVoice);
+  const auto acks = sent(network, 2, is_ack);
+  ASSERT_EQ(acks.size(), 1u);
+  EXPECT_EQ(acks.front().priority, Priority::kVoice) << "as the frame that it acknowledges";
+  network.run(10s);
+  EXPECT_EQ(network.node(2).messages.size(), HopAcknowledgement::kWindow + 5);
+}
+
+TEST(HopAcknowledgement, EachAccessCategoryHasItsOwnRoomForFramesThatWait) {
+  RoutingConfig config = kConfig;
+  config.buffer_limit = 1;
+  Network network = silent_links(2, config);
+  warm_up(network);
+  for (const Priority priority : {Priority::kBestEffort, Priority{3}, Priority::kVoice}) {
+    for (int i = 0; i < 4; ++i) network.send(1, 2, "help", priority);
+  }
+  network.run(1s);
+  int full = 0;
+  for (const FateRecord& record : network.node(1).fates) full += record.fate == Fate::kQueueFull;
+  EXPECT_EQ(full, 3) << "0 and 3 are one category: 8 frames, a window of 4 and one that waits";
+  EXPECT_EQ(network.node(2).messages.size(), 1 + 5 + 4u);
+}
+
 // A node with a better link answers one without: both may stand in one network.
 TEST(HopAcknowledgement, ALinkWithStatusAcknowledgesWhatIsNumberedAndNumbersNothing) {
   Network network(2, kConfig);

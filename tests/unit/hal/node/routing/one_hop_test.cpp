@@ -24,6 +24,35 @@ TEST(OneHopFrame, CarriesTopicIdAndPayloadBehindSixOctetsAndTheTopic) {
             (Bytes{0x17, 4, 'h', 'e', 'l', 'p', 0, 0, 0, 7, 1, 2, 3}));
 }
 
+TEST(OneHopFrame, HasAKindOfItsOwnAndOneOctetMoreWithAPriority) {
+  Message urgent = message(id(2));
+  urgent.priority = Priority{7};
+  EXPECT_EQ(encode_one_hop(urgent), (Bytes{0x1b, 4, 'h', 'e', 'l', 'p', 0, 0, 0, 7, 7, 1, 2, 3}));
+  for (const AgentId to : {id(2), kNeighbours, kEveryone}) {
+    urgent.destination = to;
+    Bytes bytes = encode_one_hop(urgent);
+    EXPECT_EQ(parse_one_hop(bytes, id(1), id(2)), urgent);
+    for (const std::uint8_t wrong : Bytes{0, 8}) {
+      bytes[kOneHopHeader + 4] = wrong;
+      EXPECT_FALSE(parse_one_hop(bytes, id(1), id(2))) << int{wrong};
+    }
+  }
+}
+
+TEST(OneHop, GivesTheLinkThePriorityOfTheMessageAndTellsItsReceiver) {
+  Network network(2, kDirect);
+  connect_chain(network);
+  network.send(1, 2, "help", Priority::kVideo);
+  network.send(1, 2);
+  network.run(1s);
+  ASSERT_EQ(network.sent.size(), 2u);
+  EXPECT_EQ(network.sent[0].priority, Priority::kVideo);
+  EXPECT_EQ(network.sent[1].priority, Priority::kBestEffort);
+  ASSERT_EQ(network.node(2).messages.size(), 2u);
+  EXPECT_EQ(network.node(2).messages[0].priority, Priority::kVideo);
+  EXPECT_EQ(network.node(2).messages[1].priority, Priority::kBestEffort);
+}
+
 TEST(OneHopFrame, IsRefusedIfAnythingIsWrongWithIt) {
   const Bytes good = encode_one_hop(message(id(2)));
   const auto refused = [](const Bytes& bytes) { return !parse_one_hop(bytes, id(1), id(2)); };

@@ -45,6 +45,28 @@ TEST(Packet, DataIsLaidOutAsDocumented) {
   EXPECT_EQ(encode(data()), expected);
 }
 
+TEST(Packet, DataWithAPriorityHasAKindOfItsOwnAndOneOctetMore) {
+  Data urgent = data();
+  urgent.priority = Priority::kVoice;
+  const Bytes expected = {0x1e, 4,    'h',  'e',  'l', 'p',  // version 1, kind 14; topic
+                          0,    1,    0,    9,               // source, destination
+                          0,    0,    0,    8,               // sequence
+                          6,                                 // priority
+                          0,    0x01, 0x11, 0x70,            // message id 70000
+                          3,    1,    2,    3};              // transmissions, payload
+  EXPECT_EQ(encode(urgent), expected);
+  for (std::uint8_t number = 0; number <= kHighestPriority; ++number) {
+    urgent.priority = Priority{number};
+    EXPECT_EQ(parse(encode(urgent)), Packet{urgent}) << int{number};
+  }
+  constexpr std::size_t kPlace = 14;
+  for (const std::uint8_t wrong : Bytes{0, 8, 255}) {
+    Bytes frame = expected;
+    frame[kPlace] = wrong;
+    EXPECT_FALSE(parse(frame)) << int{wrong};
+  }
+}
+
 TEST(Packet, FloodAndEmptyPayloadAreAllowed) {
   Data flood = data();
   flood.header.destination = kEveryone;

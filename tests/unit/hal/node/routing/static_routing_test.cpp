@@ -44,6 +44,18 @@ class StaticChain : public testing::Test {
 
 const RoutingConfig kStatic{.algorithm = Algorithm::kStatic};
 
+TEST_F(StaticChain, PassesAMessageOnWithItsPriority) {
+  Network network(4, kStatic);
+  connect_chain(network);
+  give_chain(network);
+  network.send(1, 4, "help", Priority::kVideo);
+  network.run(1s);
+  ASSERT_EQ(network.node(4).messages.size(), 1u);
+  EXPECT_EQ(network.node(4).messages[0].priority, Priority::kVideo);
+  ASSERT_EQ(network.sent.size(), 3u);
+  for (const auto& frame : network.sent) EXPECT_EQ(frame.priority, Priority::kVideo);
+}
+
 TEST_F(StaticChain, CarriesMessagesOverEveryNumberOfHopsBothWays) {
   for (const int nodes : {2, 5, 12}) {
     Network network(nodes, kStatic);

@@ -17,8 +17,8 @@ Duration TestNode::expected_delay() const { return network_.delay_of(self); }
 
 double TestNode::transmit_energy(std::size_t) const { return network_.energy_of(self); }
 
-void TestNode::transmit(AgentId next_hop, Bytes frame, LinkTag tag) {
-  network_.transmit(self, next_hop, frame, tag);
+void TestNode::transmit(AgentId next_hop, Bytes frame, const LinkOptions& options) {
+  network_.transmit(self, next_hop, frame, options);
 }
 
 void TestNode::on_fate(MessageId message, Fate fate) {
@@ -48,7 +48,7 @@ void Network::disconnect(int a, int b) {
   edges_.erase({id(b), id(a)});
 }
 
-MessageId Network::send(int from, int to, const std::string& topic) {
+MessageId Network::send(int from, int to, const std::string& topic, Priority priority) {
   TestNode& sender = node(from);
   const MessageId message = ++sender.last_id;
   sender.is_sending = true;
@@ -56,17 +56,18 @@ MessageId Network::send(int from, int to, const std::string& topic) {
                        .destination = id(to),
                        .id = message,
                        .topic = topic,
-                       .payload = {static_cast<std::uint8_t>(message)}});
+                       .payload = {static_cast<std::uint8_t>(message)},
+                       .priority = priority});
   sender.is_sending = false;
   return message;
 }
 
-void Network::transmit(AgentId from, AgentId to, const Bytes& frame, LinkTag tag) {
+void Network::transmit(AgentId from, AgentId to, const Bytes& frame, const LinkOptions& options) {
   if (const auto verdict = refusal(from)) {
-    report(from, tag, *verdict, Duration::zero());
+    report(from, options.tag, *verdict, Duration::zero());
     return;
   }
-  sent.push_back({clock.now(), from, to, frame});
+  sent.push_back({clock.now(), from, to, frame, options.priority});
   bool acknowledged = to == kEveryone;
   for (const auto& receiver : nodes_) {
     const bool addressed = to == kEveryone || to == receiver->self;
@@ -76,7 +77,7 @@ void Network::transmit(AgentId from, AgentId to, const Bytes& frame, LinkTag tag
     clock.schedule(clock.now() + kHop,
                    [this, from, target = receiver->self, frame] { arrive(from, target, frame); });
   }
-  report(from, tag, acknowledged ? Verdict::kDelivered : Verdict::kRetryLimit, kHop);
+  report(from, options.tag, acknowledged ? Verdict::kDelivered : Verdict::kRetryLimit, kHop);
 }
 
 void Network::report(AgentId sender, LinkTag tag, Verdict verdict, Duration after) {

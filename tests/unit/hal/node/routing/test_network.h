@@ -23,6 +23,7 @@ struct SentFrame {
   AgentId from;
   AgentId to;
   Bytes bytes;
+  Priority priority{};
 };
 
 struct FateRecord {
@@ -51,7 +52,7 @@ class TestNode final : public Link, public Application, public RoutingObserver {
   TestNode(Network& network, AgentId self, const RoutingConfig& config, std::uint64_t seed);
 
   LinkCapabilities capabilities() const override;
-  void transmit(AgentId next_hop, Bytes frame, LinkTag tag) override;
+  void transmit(AgentId next_hop, Bytes frame, const LinkOptions& options) override;
   Duration expected_delay() const override;
   double transmit_energy(std::size_t) const override;
 
@@ -104,12 +105,12 @@ class Network {
   int size() const { return static_cast<int>(nodes_.size()); }
 
   /// @return the id of the message.
-  MessageId send(int from, int to, const std::string& topic = "help");
+  MessageId send(int from, int to, const std::string& topic = "help", Priority priority = {});
   MessageId flood(int from) { return send(from, kEveryone.value); }
   void run(Duration span) { clock.run_until(clock.now() + span); }
 
   bool are_connected(AgentId a, AgentId b) const { return edges_.contains({a, b}); }
-  void transmit(AgentId from, AgentId to, const Bytes& frame, LinkTag tag);
+  void transmit(AgentId from, AgentId to, const Bytes& frame, const LinkOptions& options);
 
   Clock clock;
   const LinkCapabilities capabilities;

@@ -64,6 +64,21 @@ routing: {algorithm: static, routes: [{path: [m0, m1, m2]}, {at: m0, to: m2}]}
   EXPECT_EQ(RobotFile::load(file).routing.statics.routes, expected);
 }
 
+TEST_F(RobotFileTest, GivesTopicsAndRoutingTheirPriorities) {
+  const auto file = write("robot.yaml", R"(
+version: 1
+agent: {name: m1, address: 2, kind: mote}
+radio: {interface: eth0}
+localisation: {driver: none}
+routing: {control_priority: 6}
+priorities: {alarm: voice, images: 2}
+)");
+  const node::routing::RoutingConfig routing = RobotFile::load(file).routing;
+  EXPECT_EQ(routing.control_priority, Priority{6});
+  EXPECT_EQ(routing.priorities, (std::map<std::string, Priority, std::less<>>{
+                                    {"alarm", Priority::kVoice}, {"images", Priority{2}}}));
+}
+
 TEST_F(RobotFileTest, KnowsTheNamesOfStaticRoutesFromItsMap) {
   EXPECT_EQ(mistakes("version: 1\nagent: {name: m1, address: 2, kind: mote}\n"
                      "radio: {interface: eth0}\nlocalisation: {driver: none}\n"
@@ -165,7 +180,8 @@ TEST_F(RobotFileTest, EveryMistakeIsNamedAtOnce) {
                 "12:27: localisation.map.address: the address 1 is taken by 'm0'",
                 "12:41: localisation.map.y: '0' must be written in m, e.g. '0 m'",
                 "13:1: sped: is not a known key; did you mean 'seed'? Known here: version, agent, "
-                "controller, seed, control_period, command_timeout, radio, routing, localisation",
+                "controller, seed, control_period, command_timeout, radio, routing, "
+                "priorities, localisation",
             }));
 }
 

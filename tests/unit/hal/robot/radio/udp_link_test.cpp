@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -32,6 +33,9 @@ class Stranger {
  public:
   explicit Stranger(const std::string& own, std::uint16_t port = 0)
       : socket_(::socket(AF_INET, SOCK_DGRAM, 0)) {
+    const int on = 1;
+    setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+    setsockopt(socket_, IPPROTO_IP, IP_RECVTOS, &on, sizeof on);
     const sockaddr_in in = address(own, port);
     EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&in), sizeof in), 0);
   }
@@ -44,6 +48,23 @@ class Stranger {
     ASSERT_EQ(sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&in),
                      sizeof in),
               static_cast<ssize_t>(bytes.size()));
+  }
+
+  /// Type of service (DSCP and ECN) of the next datagram that comes; -1: it was not told.
+  int next_tos() const {
+    pollfd arrival{.fd = socket_, .events = POLLIN, .revents = 0};
+    if (poll(&arrival, 1, static_cast<int>(kPatience / 1ms)) != 1) return -1;
+    Bytes datagram(kDatagramHeader + kMaxFrame), control(CMSG_SPACE(sizeof(int)));
+    iovec content{datagram.data(), datagram.size()};
+    msghdr message{};
+    message.msg_iov = &content;
+    message.msg_iovlen = 1;
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    if (recvmsg(socket_, &message, 0) < 0) return -1;
+    const cmsghdr* const told = CMSG_FIRSTHDR(&message);
+    if (told == nullptr || told->cmsg_type != IP_TOS) return -1;
+    return *CMSG_DATA(told);
   }
 
  private:
@@ -105,6 +126,21 @@ TEST_F(UdpLinks, ABroadcastReachesEveryoneButItsSender) {
   EXPECT_EQ(heard(2), (std::vector<Heard>{{AgentId{1}, {7, 8}}}));
   EXPECT_EQ(heard(3), heard(2));
   EXPECT_TRUE(heard(1).empty());
+}
+
+// The DSCP is what the network sees; the drivers of 802.11 take the access category from it.
+TEST_F(UdpLinks, APriorityIsTheClassSelectorOfTheDatagram) {
+  const Stranger listener("127.255.255.255", port());
+  link(1).transmit(kEveryone, {1}, 1);
+  EXPECT_EQ(listener.next_tos(), 0);
+  constexpr int kCs1 = 8, kCs7 = 56, kEcnBits = 2;  // code points: RFC 2474, 4.2.2.2
+  link(1).transmit(kEveryone, {2}, {2, Priority::kBackground});
+  EXPECT_EQ(listener.next_tos(), kCs1 << kEcnBits);
+  link(1).transmit(kEveryone, {3}, {3, Priority{7}});
+  EXPECT_EQ(listener.next_tos(), kCs7 << kEcnBits);
+  link(1).transmit(kEveryone, {4}, 4);
+  EXPECT_EQ(listener.next_tos(), 0) << "it is that of one datagram";
+  ASSERT_TRUE(until([&] { return heard(2).size() == 4; })) << "all of them arrive";
 }
 
 TEST_F(UdpLinks, AUnicastReachesTheNeighbourThatWasHeardAndNobodyElse) {
