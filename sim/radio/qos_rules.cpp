@@ -38,7 +38,24 @@ void ask_edca(Rules& rules, const EdcaConfig& edca) {
     rules.ask(c.aifsn >= 1 && c.aifsn <= kMaxAifsn, "edca",
               fmt::format("must have an aifsn of 1 .. {}", kMaxAifsn));
     rules.ask(c.txop_limit >= hal::Duration{}, "edca", "must not have a negative txop_limit");
+    rules.ask(!c.msdu_lifetime || *c.msdu_lifetime > hal::Duration{}, "edca",
+              "must have a positive msdu_lifetime, or none");
   }
+}
+
+void ask_queues(Rules& rules, const QueuesConfig& c) {
+  constexpr hal::Duration kNothing{};
+  const bool is_plain = c.discipline == Discipline::kFifo && !c.limit && !c.limit_bytes;
+  rules.ask(c.per == QueuePer::kStation || (is_plain && !c.airtime_fairness), "queues.per",
+            "must be station for a discipline, limit, limit_bytes or airtime_fairness");
+  rules.ask(!c.limit || *c.limit >= 1, "queues.limit", "must be 1 or more");
+  rules.ask(!c.limit_bytes || *c.limit_bytes >= 1, "queues.limit_bytes", "must be 1 or more");
+  const FqCodelConfig& codel = c.fq_codel;
+  rules.ask(codel.target > kNothing, "queues.target", "must be positive");
+  rules.ask(codel.target < codel.interval, "queues.target", "must be shorter than the interval");
+  rules.ask(codel.quantum >= 1, "queues.quantum", "must be 1 or more");
+  rules.ask(codel.flows >= 1, "queues.flows", "must be 1 or more");
+  rules.ask(c.airtime_quantum > kNothing, "queues.airtime_quantum", "must be positive");
 }
 
 void ask_mcs(Rules& rules, const HtConfig& c) {

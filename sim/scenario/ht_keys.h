@@ -28,6 +28,11 @@ inline void keys_of(Fields& io, radio::AccessParameters& c) {
                "Longest time for which the category may hold the medium; 0 s: one frame exchange.",
                "4.096 ms"},
               {0, 0.1}, c.txop_limit);
+  io.optional_duration({"msdu_lifetime",
+                        "Lifetime of frames of this category, as in `msdu_lifetime` of the radio; "
+                        "none: that one.",
+                        "50 ms"},
+                       1e-6, c.msdu_lifetime);
 }
 
 inline void keys_of(Fields& io, radio::EdcaConfig& c) {

@@ -22,11 +22,13 @@ class DcfMac final : public MacBase,
                      public RadioListener,
                      private ChannelAccessListener,
                      private FrameSequenceListener,
-                     private RecipientListener {
+                     private RecipientListener,
+                     private MsduQueueClient {
  public:
   struct Streams {
     hal::RandomStream backoff;
     hal::RandomStream rates;  ///< Random numbers of the rate control.
+    std::uint64_t flows = 0;  ///< Seed of flow_hash().
   };
   /// @param config  outlives the MAC.
   DcfMac(const Context& context, const DcfConfig& config, Radio& radio, const Streams& streams);
@@ -41,6 +43,13 @@ class DcfMac final : public MacBase,
   RadioUse use() const override { return radio_.use(); }
   void set_use_listener(RadioUseListener* listener) override { radio_.set_use_listener(listener); }
 
+  /// Queues of receivers; null if there are none. Whoever sets their client in place of this MAC
+  /// pushes MSDUs through queue() and calls serve(), also when client.is_open() has become true.
+  MsduQueues* queues() { return originator_.queues(); }
+  /// @return false: the queue is full. @pre queues() is not null.
+  bool queue(WaitingMsdu waiting);
+  void serve();
+
  private:
   std::size_t queued() const override { return originator_.waiting(); }
 
@@ -54,6 +63,8 @@ class DcfMac final : public MacBase,
   void on_internal_collision(ContentionFunction function) override;
   void on_exchange_end(ExchangeEnd end, const BlockAckFields* answer) override;
   void on_mpdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
+  std::optional<MacRequest> on_turn(WaitingMsdu waiting) override;
+  void on_dropped(WaitingMsdu waiting, hal::Verdict verdict) override;
   void send_action(const Frame& about, const BlockAckAction& action) override;
 
   void ask(ContentionFunction function);
@@ -62,6 +73,7 @@ class DcfMac final : public MacBase,
   void end_all(const EndedMsdus& ended);
   void end_all_later(EndedMsdus& ended);
   void on_unicast(const ReceivedPpdu& received);
+  void charge_sender(const Ppdu& ppdu);
   void on_action(const Frame& frame);
   void on_amsdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "hal/types/time.h"
 
@@ -20,6 +21,8 @@ struct AccessParameters {
   std::uint32_t aifsn = 3;  ///< AIFS = SIFS + aifsn slots; 2 .. 15 (1 .. 15 in an access point).
   /// Longest time for which a station may hold the medium; 0: one frame exchange.
   hal::Duration txop_limit{};
+  /// Lifetime of MSDUs, instead of that of all categories, > 0.
+  std::optional<hal::Duration> msdu_lifetime{};
   bool operator==(const AccessParameters&) const = default;
 };
 
@@ -45,10 +48,10 @@ constexpr EdcaConfig edca_defaults(std::uint32_t cw_min, std::uint32_t cw_max, b
   const std::uint32_t half = (cw_min + 1) / 2 - 1, quarter = (cw_min + 1) / 4 - 1;
   const hal::Duration video = microseconds{is_dsss ? 6016 : 4096};
   const hal::Duration voice = microseconds{is_dsss ? 3264 : 2080};
-  return {{{{cw_min, cw_max, 7, {}},
-            {cw_min, cw_max, 3, {}},
-            {half, cw_min, 2, video},
-            {quarter, half, 2, voice}}}};
+  return {{{{cw_min, cw_max, 7, {}, {}},
+            {cw_min, cw_max, 3, {}, {}},
+            {half, cw_min, 2, video, {}},
+            {quarter, half, 2, voice, {}}}}};
 }
 
 }  // namespace sim::radio
