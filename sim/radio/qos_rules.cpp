@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "sim/radio/infrastructure/edca_element.h"
 #include "sim/radio/phy/mcs_modes.h"
 
 namespace sim::radio {
@@ -40,6 +41,24 @@ void ask_edca(Rules& rules, const EdcaConfig& edca) {
     rules.ask(c.txop_limit >= hal::Duration{}, "edca", "must not have a negative txop_limit");
     rules.ask(!c.msdu_lifetime || *c.msdu_lifetime > hal::Duration{}, "edca",
               "must have a positive msdu_lifetime, or none");
+  }
+}
+
+void ask_announced_edca(Rules& rules, const DcfConfig& config) {
+  const std::optional<EdcaConfig>& edca = config.bss.edca;
+  if (!edca) return;
+  const std::string_view key = "bss.edca";
+  rules.ask(config.qos, key, "is only for QoS stations");
+  for (const AccessParameters& c : edca->categories) {
+    ask_window(rules, key, c.cw_min);
+    ask_window(rules, key, c.cw_max);
+    rules.ask(c.cw_min <= c.cw_max && c.cw_max < 1u << 15, key,
+              "must have a cw_max of at most 32767 that is not below its cw_min");
+    rules.ask(c.aifsn >= 2 && c.aifsn <= kMaxAifsn, key,
+              fmt::format("must have an aifsn of 2 .. {}", kMaxAifsn));
+    rules.ask(c.txop_limit >= hal::Duration{} && c.txop_limit <= kLongestTxop &&
+                  c.txop_limit % kTxopUnit == hal::Duration{},
+              key, "must have a txop_limit of 0 to 65535 times 32 us");
   }
 }
 

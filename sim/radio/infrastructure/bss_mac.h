@@ -43,6 +43,10 @@ class BssMac : public MacBase, protected FrameListener, protected MsduQueueClien
   /// Makes a data frame of the BSS; `receiver` and `ds` determine its addresses (table 9-26).
   static MacRequest data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds);
 
+  /// Contends with these parameters from now on. @param edca  nullopt: those of the station itself.
+  void use_edca(const std::optional<EdcaConfig>& edca) {
+    dcf_->set_edca(edca.value_or(config_.edca));
+  }
   /// Sends frames that may be sent now. Call it when is_open() may have become true.
   void serve();
   /// Queues a request. @return false if the queue is full.

@@ -60,6 +60,7 @@ void BssStation::on_association() {
   const std::optional<hal::AgentId> now_with = association_.access_point();
   if (now_with != told_) {
     told_ = now_with;
+    use_edca(now_with ? association_.edca() : std::nullopt);
     observer().on_association(now(), agent(), now_with);
   }
   serve();

@@ -7,7 +7,12 @@ namespace sim::radio {
 
 ChannelAccess::ChannelAccess(EventQueue& events, hal::AgentId agent, const Rules& rules,
                              const hal::RandomStream& random, ChannelAccessListener& listener)
-    : events_(events), agent_(agent), random_(random), listener_(listener) {
+    : events_(events),
+      agent_(agent),
+      random_(random),
+      listener_(listener),
+      slot_(rules.timing.slot),
+      sifs_(rules.timing.sifs) {
   const DcfConfig& config = rules.config;
   if (config.qos) {
     for (const AccessParameters& category : config.edca.categories) {
@@ -31,6 +36,17 @@ void ChannelAccess::add(const AccessParameters& parameters, const DcfTiming& tim
   }
   others_.push_back(std::make_unique<Function>(*this, events_, agent_,
                                                Function::Settings{functions(), parameters, own}));
+}
+
+void ChannelAccess::set(const EdcaConfig& edca) {
+  if (functions() < kAccessCategories) return;
+  for (std::size_t i = 0; i < kAccessCategories; ++i) {
+    const AccessParameters& parameters = edca.categories[i];
+    Function& one = at(i);
+    one.txop_limit = parameters.txop_limit;
+    one.window.set_limits(parameters.cw_min, parameters.cw_max);
+    one.backoff.set_aifs(sifs_ + parameters.aifsn * slot_);
+  }
 }
 
 void ChannelAccess::request(ContentionFunction function) {

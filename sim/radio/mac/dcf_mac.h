@@ -43,6 +43,9 @@ class DcfMac final : public MacBase,
   RadioUse use() const override { return radio_.use(); }
   void set_use_listener(RadioUseListener* listener) override { radio_.set_use_listener(listener); }
 
+  /// Replaces the parameters of EDCA; no effect on a station without QoS.
+  void set_edca(const EdcaConfig& edca) { access_.set(edca); }
+
   /// Queues of receivers; null if there are none. Whoever sets their client in place of this MAC
   /// pushes MSDUs through queue() and calls serve(), also when client.is_open() has become true.
   MsduQueues* queues() { return originator_.queues(); }
