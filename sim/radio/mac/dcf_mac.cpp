@@ -33,7 +33,8 @@ DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
                    .agent = context.agent,
                    .functions = access_.functions(),
                    .rates = streams.rates,
-                   .flows = streams.flows},
+                   .flows = streams.flows,
+                   .observer = context.observer},
                   frames_),
       recipient_(context.events, context.agent, config, frames_, *this) {
   radio_.attach(*this);
@@ -79,7 +80,7 @@ void DcfMac::set_radio(bool on) {
   sequence_.reset();
   carrier_.reset();
   recipient_.reset();
-  EndedMsdus ended = originator_.take_all();
+  EndedMsdus ended = originator_.take_all(now());
   end_all_later(ended);
 }
 

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
+#include "hal/types/enum_names.h"
 #include "hal/types/time.h"
 
 namespace sim::radio {
@@ -13,6 +15,23 @@ namespace sim::radio {
 /// background, best effort, video, voice.
 enum class AccessCategory : std::uint8_t { kBackground, kBestEffort, kVideo, kVoice };
 inline constexpr std::size_t kAccessCategories = 4;
+
+/// "BK", "BE", "VI", "VO".
+constexpr std::string_view name(AccessCategory category) {
+  switch (category) {
+    case AccessCategory::kBackground:
+      return "BK";
+    case AccessCategory::kBestEffort:
+      return "BE";
+    case AccessCategory::kVideo:
+      return "VI";
+    case AccessCategory::kVoice:
+      return "VO";
+  }
+  return {};
+}
+static_assert(hal::names_exactly<AccessCategory, static_cast<int>(kAccessCategories)>(
+    [](AccessCategory c) { return name(c); }));
 
 /// How one access category contends for the medium.
 struct AccessParameters {

@@ -20,22 +20,36 @@ std::optional<hal::Duration> quantum_in(const QueuesConfig& config) {
 
 }  // namespace
 
-MsduQueues::MsduQueues(const DcfConfig& config, std::size_t functions, std::uint64_t seed)
+MsduQueues::MsduQueues(const DcfConfig& config, std::size_t functions, const Station& station)
     : config_(config),
       limits_(limits_in(config)),
-      seed_(seed),
+      station_(station),
       schedules_(functions, StationSchedule(quantum_in(config.queues))),
       counts_(functions) {}
 
 MsduQueues::Queue& MsduQueues::queue(const Name& name) {
   const auto [place, is_new] = queues_.try_emplace(name);
-  if (is_new) place->second.discipline = make_discipline(config_.queues, limits_, seed_);
+  if (is_new) place->second.discipline = make_discipline(config_.queues, limits_, station_.seed);
   return place->second;
 }
 
-void MsduQueues::report(const Name& name, const DroppedMsdus& dropped) {
+void MsduQueues::tell(const Name& name, hal::Time now, const WaitingMsdu& msdu,
+                      QueueChange::What what, hal::Verdict verdict) {
+  QueueChange change{.station = station_.agent,
+                     .receiver = name.receiver,
+                     .what = what,
+                     .bytes = msdu.bytes(),
+                     .verdict = verdict};
+  if (config_.qos) change.category = static_cast<AccessCategory>(name.function);
+  station_.observer.on_queue(now, change);
+}
+
+void MsduQueues::report(const Name& name, hal::Time now, const DroppedMsdus& dropped) {
   counts_[name.function].waiting -= dropped.size();
-  for (const DroppedMsdu& one : dropped) client_->on_dropped(one.waiting, one.verdict);
+  for (const DroppedMsdu& one : dropped) {
+    tell(name, now, one.waiting, QueueChange::What::kDropped, one.verdict);
+    client_->on_dropped(one.waiting, one.verdict);
+  }
 }
 
 /// All MSDUs of a queue have the same lifetime.
@@ -50,12 +64,14 @@ bool MsduQueues::push(const Name& name, WaitingMsdu msdu, hal::Time now) {
   DroppedMsdus dropped;
   expire(name, one, now, dropped);
   const bool is_accepted = one.discipline->accepts(msdu);
+  tell(name, now, msdu, is_accepted ? QueueChange::What::kQueued : QueueChange::What::kRefused,
+       is_accepted ? hal::Verdict::kDelivered : hal::Verdict::kQueueFull);
   if (is_accepted) {
     ++counts_[name.function].waiting;
     one.discipline->push(std::move(msdu), dropped);
     schedules_[name.function].add(name.receiver);
   }
-  report(name, dropped);
+  report(name, now, dropped);
   return is_accepted;
 }
 
@@ -63,8 +79,11 @@ std::optional<WaitingMsdu> MsduQueues::take(const Name& name, Queue& queue, hal:
   DroppedMsdus dropped;
   expire(name, queue, now, dropped);
   std::optional<WaitingMsdu> next = queue.discipline->pop(now, dropped);
-  if (next) --counts_[name.function].waiting;
-  report(name, dropped);
+  report(name, now, dropped);
+  if (next) {
+    --counts_[name.function].waiting;
+    tell(name, now, *next, QueueChange::What::kLeft);
+  }
   return next;
 }
 
@@ -117,12 +136,12 @@ std::size_t MsduQueues::room(ContentionFunction function) const {
   return limits_.frames - std::min(limits_.frames, most);
 }
 
-void MsduQueues::clear(std::vector<Outgoing>& back) {
+void MsduQueues::clear(hal::Time now, std::vector<Outgoing>& back) {
   for (auto& [name, one] : queues_) {
     DroppedMsdus all;
     one.discipline->expire(hal::Time::max(), all);
     for (DroppedMsdu& msdu : all) msdu.verdict = hal::Verdict::kRadioOff;
-    report(name, all);
+    report(name, now, all);
     for (Outgoing& outgoing : one.back) back.push_back(std::move(outgoing));
     one.back.clear();
     counts_[name.function].back = 0;

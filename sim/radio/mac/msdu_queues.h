@@ -10,6 +10,7 @@
 
 #include "hal/types/agent_id.h"
 #include "sim/radio/mac/channel_access.h"
+#include "sim/radio/mac/observer.h"
 #include "sim/radio/mac/queue_discipline.h"
 #include "sim/radio/mac/station_schedule.h"
 #include "sim/radio/mac/tx_queue.h"
@@ -40,8 +41,13 @@ class MsduQueues {
     auto operator<=>(const Name&) const = default;
   };
 
-  /// @param config  outlives this object.   @param seed  of flow_hash().
-  MsduQueues(const DcfConfig& config, std::size_t functions, std::uint64_t seed);
+  struct Station {
+    RadioObserver& observer;
+    hal::AgentId agent;
+    std::uint64_t seed;  ///< Of flow_hash().
+  };
+  /// @param config  outlives this object, as does the observer.
+  MsduQueues(const DcfConfig& config, std::size_t functions, const Station& station);
 
   /// @pre called before anything is pushed; the client outlives this object.
   void set_client(MsduQueueClient& client) { client_ = &client; }
@@ -67,7 +73,7 @@ class MsduQueues {
   /// How many more MSDUs the fullest queue of a function takes.
   std::size_t room(ContentionFunction function) const;
   /// Removes everything: the radio is switched off. @param back  gets what was put back.
-  void clear(std::vector<Outgoing>& back);
+  void clear(hal::Time now, std::vector<Outgoing>& back);
 
  private:
   struct Queue {
@@ -76,12 +82,14 @@ class MsduQueues {
   };
   Queue& queue(const Name& name);
   void expire(const Name& name, Queue& queue, hal::Time now, DroppedMsdus& dropped);
-  void report(const Name& name, const DroppedMsdus& dropped);
+  void report(const Name& name, hal::Time now, const DroppedMsdus& dropped);
+  void tell(const Name& name, hal::Time now, const WaitingMsdu& msdu, QueueChange::What what,
+            hal::Verdict verdict = hal::Verdict::kDelivered);
   std::optional<WaitingMsdu> take(const Name& name, Queue& queue, hal::Time now);
 
   const DcfConfig& config_;
   QueueLimits limits_;
-  std::uint64_t seed_;
+  Station station_;
   MsduQueueClient* client_ = nullptr;
   std::vector<StationSchedule> schedules_;
   struct Count {

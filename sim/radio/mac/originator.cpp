@@ -36,7 +36,8 @@ Originator::Originator(const Parts& parts, FrameFactory& frames)
                           RetryCounters(contention.short_retry_limit, config_.long_retry_limit)});
   }
   if (config_.queues.per == QueuePer::kStation) {
-    queues_ = std::make_unique<MsduQueues>(config_, parts.functions, parts.flows);
+    queues_ = std::make_unique<MsduQueues>(
+        config_, parts.functions, MsduQueues::Station{parts.observer, parts.agent, parts.flows});
   }
 }
 
@@ -246,7 +247,7 @@ Exchange Originator::request_exchange(ContentionFunction number, MpduStream& str
           .stream = &stream};
 }
 
-EndedMsdus Originator::take_all() {
+EndedMsdus Originator::take_all(hal::Time now) {
   EndedMsdus ended;
   for (Function& one : functions_) {
     for (MpduStream* const stream : one.streams) {
@@ -261,7 +262,7 @@ EndedMsdus Originator::take_all() {
   }
   if (queues_ != nullptr) {
     std::vector<Outgoing> back;
-    queues_->clear(back);
+    queues_->clear(now, back);
     for (Outgoing& outgoing : back) {
       ended.push_back({std::move(outgoing.request), hal::Verdict::kRadioOff});
     }

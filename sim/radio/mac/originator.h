@@ -37,6 +37,7 @@ class Originator {
     std::size_t functions;
     hal::RandomStream rates;  ///< Random numbers of the rate control.
     std::uint64_t flows;      ///< Seed of flow_hash().
+    RadioObserver& observer;
   };
   /// @param frames  outlives this object, as do the parts.
   Originator(const Parts& parts, FrameFactory& frames);
@@ -93,7 +94,7 @@ class Originator {
   void on_delete(hal::AgentId from, const DeleteBlockAck& del);
 
   /// Removes everything and forgets all agreements: the radio is switched off.
-  EndedMsdus take_all();
+  EndedMsdus take_all(hal::Time now);
 
   /// Since when what the exchange sends has been the next to be sent.
   hal::Time service_since(const Exchange& exchange) const {
