@@ -44,11 +44,9 @@ void ask_edca(Rules& rules, const EdcaConfig& edca) {
   }
 }
 
-void ask_announced_edca(Rules& rules, const DcfConfig& config) {
-  const std::optional<EdcaConfig>& edca = config.bss.edca;
+void ask_announced_edca(Rules& rules, const std::optional<EdcaConfig>& edca) {
   if (!edca) return;
   const std::string_view key = "bss.edca";
-  rules.ask(config.qos, key, "is only for QoS stations");
   for (const AccessParameters& c : edca->categories) {
     ask_window(rules, key, c.cw_min);
     ask_window(rules, key, c.cw_max);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "sim/radio/radio_config.h"
 #include "sim/radio/rule_list.h"
 
@@ -9,7 +11,7 @@ namespace sim::radio {
 void ask_window(Rules& rules, std::string_view key, std::uint32_t window);
 void ask_edca(Rules& rules, const EdcaConfig& edca);
 /// Of what access points announce, if anything.
-void ask_announced_edca(Rules& rules, const DcfConfig& config);
+void ask_announced_edca(Rules& rules, const std::optional<EdcaConfig>& edca);
 void ask_queues(Rules& rules, const QueuesConfig& queues);
 void ask_mcs(Rules& rules, const HtConfig& config);
 void ask_aggregation(Rules& rules, const HtConfig& config);

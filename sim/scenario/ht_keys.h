@@ -64,12 +64,13 @@ inline void edca_keys(Fields& io, radio::EdcaConfig& c) {
 /// In `bss`. What is not given is that of the radio.
 inline void announced_edca_key(Fields& io, radio::DcfConfig& c) {
   radio::EdcaConfig edca = c.bss.edca.value_or(c.edca);
-  const bool is_there = io.inside_given(
-      {"edca",
-       "Contention that access points announce to their stations, which use it instead of the "
-       "radio's while they are associated; the access points themselves do not.",
-       "", "that of the radio"},
-      c.bss.edca.has_value(), [&](Fields& one) { keys_of(one, edca, false); });
+  const bool is_there =
+      io.inside_given({"edca",
+                       "Contention that access points announce to QoS stations, which use it "
+                       "instead of the radio's "
+                       "while they are associated; the access points themselves do not.",
+                       "", "that of the radio"},
+                      c.bss.edca.has_value(), [&](Fields& one) { keys_of(one, edca, false); });
   if (is_there) c.bss.edca = edca;
 }
 

@@ -37,7 +37,6 @@ TEST(EdcaElement, MustBePossible) {
     return rules.empty() ? "" : rules.front().key + " " + rules.front().what;
   };
   EXPECT_EQ(broken([](auto&) {}), "");
-  EXPECT_EQ(broken([](auto& c) { c.qos = false; }), "bss.edca is only for QoS stations");
   EXPECT_EQ(broken([](auto& c) { c.bss.edca->of(AccessCategory::kVoice).aifsn = 1; }),
             "bss.edca must have an aifsn of 2 .. 15");
   EXPECT_EQ(broken([](auto& c) { c.bss.edca->of(AccessCategory::kVoice).txop_limit += 1us; }),

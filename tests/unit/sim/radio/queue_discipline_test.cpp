@@ -167,6 +167,15 @@ TEST(FqCodel, FlowsTakeTurnsByBytes) {
   EXPECT_EQ(queue.bytes(), 0u);
 }
 
+TEST(FqCodel, HasALongerTurnWithALargerQuantum) {
+  const FqCodelConfig config{.quantum = 1200, .flows = 65'536};
+  FqCodel queue(config, {.frames = 100}, 1);
+  DroppedMsdus dropped;
+  for (int i = 0; i < 3; ++i) queue.push(waiting_msdu(2, 600), dropped);
+  for (int i = 0; i < 6; ++i) queue.push(waiting_msdu(3, 300), dropped);
+  EXPECT_EQ(order_of(queue), (std::vector{2, 2, 3, 3, 3, 3, 2, 3, 3}));
+}
+
 TEST(FqCodel, NewFlowsComeFirst) {
   const FqCodelConfig config{.flows = 65'536};
   FqCodel queue(config, {.frames = 100}, 1);
