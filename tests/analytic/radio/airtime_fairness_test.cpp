@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 #include "tests/unit/sim/radio/air.h"
 
@@ -33,7 +34,7 @@ class Anomaly : public testing::Test {
   void run() {
     air.add({0, 0, 0});
     air.add({5, 0, 0});
-    air.add({kFar, 0, 0});
+    air.add({far, 0, 0});
     air.build();
     for (const std::uint16_t receiver : {kFast, kSlow}) {
       for (std::uint64_t i = 0; i < 200; ++i) air.send(1, receiver, kMsdu, receiver);
@@ -44,7 +45,7 @@ class Anomaly : public testing::Test {
     };
     air.run(kWarmUp);
     air.log.starts.clear();
-    for (const std::uint16_t one : {kFast, kSlow}) air.inbox(one).received.clear();
+    for (std::uint16_t one = 1; one <= 3; ++one) air.inbox(one).received.clear();
     air.run(kWarmUp + kLong);
   }
 
@@ -88,7 +89,7 @@ class Anomaly : public testing::Test {
            7.5 * 9e-6;
   }
 
-  static constexpr double kFar = 1450;  // m
+  double far = 1450;  // m
   static constexpr hal::Duration kWarmUp = 1s;
   Air air;
 };
@@ -103,6 +104,7 @@ TEST_F(Anomaly, TurnsGiveBothTheThroughputOfTheSlow) {
   const double expected = 8e-6 * kMsdu / (cycle(kFast) + cycle(kSlow));
   EXPECT_NEAR(mbps(kFast), expected, 0.003 * expected);
   EXPECT_NEAR(mbps(kSlow), expected, 0.003 * expected);
+  RecordProperty("mbps", std::to_string(mbps(kSlow)));
 }
 
 // Equal airtime of data: a frames to the fast and b to the slow, a D_fast = b D_slow, in a C_fast +
@@ -120,6 +122,23 @@ TEST_F(Anomaly, AirtimeFairnessSharesTheTimeOnTheAir) {
     const double expected = 8e-6 * kMsdu / (per_frame(one) * time);
     EXPECT_NEAR(mbps(one), expected, 0.003 * expected);
   }
+}
+
+// What a receiver sends counts, too: the far one, here at the same rate as the near one, sends 500
+// frames a second.
+TEST_F(Anomaly, AirtimeFairnessCountsWhatReceiversSend) {
+  ht().aggregation.max_ampdu = 0;
+  ht().queues.airtime_fairness = true;
+  far = 6;
+  for (hal::Duration at{}; at < kWarmUp + kLong; at += 2ms) {
+    air.at(at, [this] { air.send(kSlow, 1, kMsdu); });
+  }
+  run();
+  // In a collision only its sender knows of a frame: those that came in count.
+  const double came = static_cast<double>(air.inbox(1).received.size()) *
+                      hal::to_seconds(airtime_of(FrameType::kData, kFast));
+  EXPECT_GT(came, 0.1 * hal::to_seconds(kLong));
+  EXPECT_NEAR(airtime(kFast) / (airtime(kSlow) + came), 1, 0.003);
 }
 
 // With A-MPDUs the overhead is small: each gets nearly half of what it would have alone, which is

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <set>
 
+#include "sim/radio/radio_rules.h"
 #include "tests/unit/sim/radio/bss.h"
 
 namespace sim::radio::test {
@@ -185,6 +186,23 @@ TEST_F(StationQueues, HaveTheLifetimeOfTheirCategory) {
       EXPECT_LT(one.at, hal::Time{} + 1ms + 3ms + 500us);
     }
   }
+}
+
+TEST(QueueRules, NameWhatCannotBe) {
+  const auto broken = [](auto change) {
+    Ieee80211gConfig config;
+    change(config.queues);
+    const auto rules = broken_rules(RadioConfig(config));
+    return rules.empty() ? "" : rules.front().key;
+  };
+  EXPECT_EQ(broken([](auto&) {}), "");
+  EXPECT_EQ(broken([](auto& c) { c.discipline = Discipline::kFqCodel; }), "queues.per");
+  EXPECT_EQ(broken([](auto& c) { c.airtime_fairness = true; }), "queues.per");
+  EXPECT_EQ(broken([](auto& c) { c.limit_bytes = 1000; }), "queues.per");
+  EXPECT_EQ(broken([](auto& c) { c.fq_codel.target = c.fq_codel.interval; }), "queues.target");
+  EXPECT_EQ(broken([](auto& c) { c.fq_codel.quantum = 0; }), "queues.quantum");
+  EXPECT_EQ(broken([](auto& c) { c.fq_codel.flows = 0; }), "queues.flows");
+  EXPECT_EQ(broken([](auto& c) { c.airtime_quantum = {}; }), "queues.airtime_quantum");
 }
 
 /// 95 % delay of a thin flow of programs, 100 bytes every 10 ms, beside one that always has 400
