@@ -7,12 +7,7 @@ namespace sim::radio {
 
 ChannelAccess::ChannelAccess(EventQueue& events, hal::AgentId agent, const Rules& rules,
                              const hal::RandomStream& random, ChannelAccessListener& listener)
-    : events_(events),
-      agent_(agent),
-      random_(random),
-      listener_(listener),
-      slot_(rules.timing.slot),
-      sifs_(rules.timing.sifs) {
+    : events_(events), agent_(agent), random_(random), listener_(listener) {
   const DcfConfig& config = rules.config;
   if (config.qos) {
     for (const AccessParameters& category : config.edca.categories) {
@@ -38,14 +33,14 @@ void ChannelAccess::add(const AccessParameters& parameters, const DcfTiming& tim
                                                Function::Settings{functions(), parameters, own}));
 }
 
-void ChannelAccess::set(const EdcaConfig& edca) {
+void ChannelAccess::set(const EdcaConfig& edca, const DcfTiming& timing) {
   if (functions() < kAccessCategories) return;
   for (std::size_t i = 0; i < kAccessCategories; ++i) {
     const AccessParameters& parameters = edca.categories[i];
     Function& one = at(i);
     one.txop_limit = parameters.txop_limit;
     one.window.set_limits(parameters.cw_min, parameters.cw_max);
-    one.backoff.set_aifs(sifs_ + parameters.aifsn * slot_);
+    one.backoff.set_aifs(timing.sifs + parameters.aifsn * timing.slot);
   }
 }
 

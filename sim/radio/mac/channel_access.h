@@ -46,7 +46,7 @@ class ChannelAccess {
   hal::Duration txop_limit(ContentionFunction function) { return at(function).txop_limit; }
 
   /// Replaces the parameters of all access categories; no effect on the DCF.
-  void set(const EdcaConfig& edca);
+  void set(const EdcaConfig& edca, const DcfTiming& timing);
 
   /// As in Backoff.
   void request(ContentionFunction function);
@@ -107,7 +107,6 @@ class ChannelAccess {
   std::optional<Function> first_;                  ///< In place, for the cache.
   std::vector<std::unique_ptr<Function>> others_;  ///< With EDCA.
   std::vector<ContentionFunction> ready_;          ///< Those whose backoffs end now.
-  hal::Duration slot_, sifs_;                      ///< For set().
 };
 
 }  // namespace sim::radio

@@ -38,7 +38,9 @@ DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
                   frames_),
       recipient_(context.events, context.agent, config, frames_, *this) {
   radio_.attach(*this);
-  if (queues() != nullptr) queues()->set_client(*this);
+  if (queues() == nullptr) return;
+  own_requests_ = std::make_unique<OwnRequests>(*this);
+  queues()->set_client(*own_requests_);
 }
 
 void DcfMac::transmit(const MacRequest& request) {
@@ -64,14 +66,6 @@ bool DcfMac::queue(WaitingMsdu waiting) {
 
 void DcfMac::serve() {
   for (ContentionFunction function = 0; function < access_.functions(); ++function) ask(function);
-}
-
-std::optional<MacRequest> DcfMac::on_turn(WaitingMsdu waiting) {
-  return std::move(waiting.request);
-}
-
-void DcfMac::on_dropped(WaitingMsdu waiting, hal::Verdict verdict) {
-  report_later(std::move(waiting.request), verdict);
 }
 
 void DcfMac::set_radio(bool on) {

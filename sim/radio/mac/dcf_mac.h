@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "hal/types/random.h"
@@ -22,8 +25,7 @@ class DcfMac final : public MacBase,
                      public RadioListener,
                      private ChannelAccessListener,
                      private FrameSequenceListener,
-                     private RecipientListener,
-                     private MsduQueueClient {
+                     private RecipientListener {
  public:
   struct Streams {
     hal::RandomStream backoff;
@@ -44,7 +46,7 @@ class DcfMac final : public MacBase,
   void set_use_listener(RadioUseListener* listener) override { radio_.set_use_listener(listener); }
 
   /// Replaces the parameters of EDCA; no effect on a station without QoS.
-  void set_edca(const EdcaConfig& edca) { access_.set(edca); }
+  void set_edca(const EdcaConfig& edca) { access_.set(edca, carrier_.timing()); }
 
   /// Queues of receivers; null if there are none. Whoever sets their client in place of this MAC
   /// pushes MSDUs through queue() and calls serve(), also when client.is_open() has become true.
@@ -66,8 +68,6 @@ class DcfMac final : public MacBase,
   void on_internal_collision(ContentionFunction function) override;
   void on_exchange_end(ExchangeEnd end, const BlockAckFields* answer) override;
   void on_mpdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
-  std::optional<MacRequest> on_turn(WaitingMsdu waiting) override;
-  void on_dropped(WaitingMsdu waiting, hal::Verdict verdict) override;
   void send_action(const Frame& about, const BlockAckAction& action) override;
 
   void ask(ContentionFunction function);
@@ -80,6 +80,21 @@ class DcfMac final : public MacBase,
   void on_action(const Frame& frame);
   void on_amsdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
 
+  /// Its own requests in queues of receivers.
+  class OwnRequests final : public MsduQueueClient {
+   public:
+    explicit OwnRequests(DcfMac& mac) : mac_(mac) {}
+    std::optional<MacRequest> on_turn(WaitingMsdu waiting) override {
+      return std::move(waiting.request);
+    }
+    void on_dropped(WaitingMsdu waiting, hal::Verdict verdict) override {
+      mac_.report_later(std::move(waiting.request), verdict);
+    }
+
+   private:
+    DcfMac& mac_;
+  };
+
   const DcfConfig& config_;
   Radio& radio_;
   // What every frame on the air needs comes first, for the cache.
@@ -90,6 +105,7 @@ class DcfMac final : public MacBase,
   Originator originator_;
   Recipient recipient_;
   hal::Time txop_end_{};  ///< Of the current TXOP, if its function has a limit.
+  std::unique_ptr<OwnRequests> own_requests_;  ///< Null without queues of receivers.
 };
 
 }  // namespace sim::radio
