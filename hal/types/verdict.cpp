@@ -37,6 +37,8 @@ constexpr std::string_view name_of(Verdict verdict) {
       return "agent down";
     case Verdict::kRandomLoss:
       return "random loss";
+    case Verdict::kQueueDelay:
+      return "queue delay";
   }
   return {};
 }

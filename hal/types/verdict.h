@@ -22,9 +22,10 @@ enum class Verdict : std::uint8_t {
   kExpired,               ///< Exceeded its lifetime, its waiting time or its hop limit.
   kAgentDown,             ///< Reserved; no component reports it at present.
   kRandomLoss,            ///< Would have been received without the scenario's `loss`.
+  kQueueDelay,            ///< Dropped by CoDel, because frames waited too long in their queue.
 };
 /// Number of verdicts.
-inline constexpr int kVerdictCount = 15;
+inline constexpr int kVerdictCount = 16;
 
 /// "delivered", "below sensitivity", …
 std::string_view name(Verdict verdict);

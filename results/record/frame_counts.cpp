@@ -10,9 +10,11 @@ namespace {
 /// The kind of a reception as one number: verdict (4 bits), addressed (1 bit), frame class.
 constexpr int kAddressedBit = 4;
 constexpr int kClassShift = 5;
-/// Stands in place of a verdict: the payload was delivered to the upper layer.
+/// Stands in place of a verdict that no reception has: the payload was delivered to the upper
+/// layer.
 constexpr std::uint8_t kWentUp = (1 << kAddressedBit) - 1;
-static_assert(hal::kVerdictCount <= kWentUp);
+static_assert(kWentUp == static_cast<std::uint8_t>(hal::Verdict::kQueueDelay));
+static_assert(hal::kVerdictCount <= 1 << kAddressedBit);
 static_assert(sim::radio::kFrameClasses << kClassShift <= 1 << PairCounts::kKindBits);
 
 std::uint8_t kind_of(const sim::radio::Frame& frame) {

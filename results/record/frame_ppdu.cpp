@@ -8,7 +8,6 @@
 namespace results::record {
 namespace {
 
-using sim::radio::AccessCategory;
 using sim::radio::ModulationClass;
 
 std::optional<std::string_view> modulation_name(ModulationClass modulation) {
@@ -27,20 +26,6 @@ std::optional<std::string_view> modulation_name(ModulationClass modulation) {
       return "HE";
   }
   return std::nullopt;
-}
-
-std::string_view category_name(AccessCategory category) {
-  switch (category) {
-    case AccessCategory::kBackground:
-      return "BK";
-    case AccessCategory::kBestEffort:
-      return "BE";
-    case AccessCategory::kVideo:
-      return "VI";
-    case AccessCategory::kVoice:
-      return "VO";
-  }
-  return {};
 }
 
 /// "17:0300000000000000", or "17" of a BlockAckReq.
@@ -69,7 +54,7 @@ FramePpdu::FramePpdu(const sim::radio::Frame& frame) {
   }
   if (frame.qos) {
     tid = frame.priority;
-    category = category_name(sim::radio::category_of(frame.priority));
+    category = sim::radio::name(sim::radio::category_of(frame.priority));
   }
   if (frame.type == sim::radio::FrameType::kData)
     msdus = frame.amsdu ? static_cast<int>(frame.amsdu->size()) : 1;

@@ -34,7 +34,7 @@ std::string_view conventions() {
          "are addresses; 65535 is everyone, 65534 the neighbours of the sender. Verdicts are: "
          "delivered, below sensitivity, preamble missed, collision, interference, noise, obstacle, "
          "retry limit, queue full, receiver transmitting, radio off, no route, expired, agent "
-         "down, random loss. Fates are: handed over, no route, queue full, failed.";
+         "down, random loss, queue delay. Fates are: handed over, no route, queue full, failed.";
 }
 
 std::string schema_sql(const std::vector<Table>& tables) {

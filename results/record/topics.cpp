@@ -23,6 +23,7 @@
 #include "results/record/routing_counts.h"
 #include "results/record/run_tables.h"
 #include "results/record/schema.h"
+#include "results/record/station_queues.h"
 
 namespace results::record {
 namespace {
@@ -76,6 +77,10 @@ void add_relays(Recording& of) {
   if (of.options.counts_frames()) of.add<RelayCounts>(of.database);
 }
 
+void add_station_queues(Recording& of) {
+  if (of.options.counts_frames()) of.add<StationQueues>(of.database);
+}
+
 /// In the order of the tables in the file, which is also the order of the writers' callbacks:
 /// writers that count frames come before those that list them, because a listed row can cause a
 /// commit of the totals.
@@ -108,6 +113,7 @@ constexpr Topic kTopics[] = {
     {fingerprint_tables},
     {FrameLog::tables, add_frame_log},
     {RelayCounts::tables, add_relays},
+    {StationQueues::tables, add_station_queues},
 };
 
 }  // namespace

@@ -32,6 +32,7 @@ class ObserverList : public Observer {
     listen<&One::on_request_end>(request_end_, observer);
     listen<&One::on_relay_lost>(relay_lost_, observer);
     listen<&One::on_relay_queued>(relay_queued_, observer);
+    listen<&One::on_queue>(queue_, observer);
     listen<&One::on_msdu_end>(msdu_end_, observer);
     listen<&One::on_association>(association_, observer);
     listen<&One::on_start>(start_, observer);
@@ -89,6 +90,9 @@ class ObserverList : public Observer {
   }
   void on_relay_queued(hal::Time at, const radio::Msdu& msdu) override {
     for (Observer* o : relay_queued_) o->on_relay_queued(at, msdu);
+  }
+  void on_queue(hal::Time at, const radio::QueueChange& change) override {
+    for (Observer* o : queue_) o->on_queue(at, change);
   }
   void on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::MsduEnd& end) override {
     for (Observer* o : msdu_end_) o->on_msdu_end(at, msdu, end);
@@ -200,10 +204,10 @@ class ObserverList : public Observer {
   }
 
   std::vector<Observer*> frame_start_, faint_, frame_cut_, sinr_, reception_, delivered_,
-      request_end_, relay_lost_, relay_queued_, msdu_end_, association_, start_, body_, displaced_,
-      cycle_, pose_, reading_, body_lost_, event_, action_, message_sent_, message_delivered_,
-      fate_, message_end_, protocol_event_, discovery_, route_change_, air_entered_, air_left_,
-      air_refused_, arrival_, scripted_, turn_, state_, record_;
+      request_end_, relay_lost_, relay_queued_, queue_, msdu_end_, association_, start_, body_,
+      displaced_, cycle_, pose_, reading_, body_lost_, event_, action_, message_sent_,
+      message_delivered_, fate_, message_end_, protocol_event_, discovery_, route_change_,
+      air_entered_, air_left_, air_refused_, arrival_, scripted_, turn_, state_, record_;
 };
 
 }  // namespace sim::agents

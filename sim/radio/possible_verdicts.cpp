@@ -18,7 +18,9 @@ std::vector<Verdict> request_verdicts(const RadioConfig& config, bool has_access
   std::vector<Verdict> verdicts = {Verdict::kDelivered, Verdict::kRetryLimit, Verdict::kRadioOff};
   // Only the queue of the ideal radio is unlimited.
   if (!std::holds_alternative<IdealConfig>(config)) verdicts.push_back(Verdict::kQueueFull);
-  if (dcf_of(config) != nullptr) verdicts.push_back(Verdict::kExpired);
+  if (dcf_of(config) != nullptr) {
+    verdicts.insert(verdicts.end(), {Verdict::kExpired, Verdict::kQueueDelay});
+  }
   if (has_access_points) verdicts.push_back(Verdict::kNoRoute);
   return verdicts;
 }

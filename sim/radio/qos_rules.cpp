@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "sim/radio/infrastructure/edca_element.h"
 #include "sim/radio/phy/mcs_modes.h"
 
 namespace sim::radio {
@@ -38,7 +39,40 @@ void ask_edca(Rules& rules, const EdcaConfig& edca) {
     rules.ask(c.aifsn >= 1 && c.aifsn <= kMaxAifsn, "edca",
               fmt::format("must have an aifsn of 1 .. {}", kMaxAifsn));
     rules.ask(c.txop_limit >= hal::Duration{}, "edca", "must not have a negative txop_limit");
+    rules.ask(!c.msdu_lifetime || *c.msdu_lifetime > hal::Duration{}, "edca",
+              "must have a positive msdu_lifetime, or none");
   }
+}
+
+void ask_announced_edca(Rules& rules, const std::optional<EdcaConfig>& edca) {
+  if (!edca) return;
+  const std::string_view key = "bss.edca";
+  for (const AccessParameters& c : edca->categories) {
+    ask_window(rules, key, c.cw_min);
+    ask_window(rules, key, c.cw_max);
+    rules.ask(c.cw_min <= c.cw_max && c.cw_max < 1u << 15, key,
+              "must have a cw_max of at most 32767 that is not below its cw_min");
+    rules.ask(c.aifsn >= 2 && c.aifsn <= kMaxAifsn, key,
+              fmt::format("must have an aifsn of 2 .. {}", kMaxAifsn));
+    rules.ask(c.txop_limit >= hal::Duration{} && c.txop_limit <= kLongestTxop &&
+                  c.txop_limit % kTxopUnit == hal::Duration{},
+              key, "must have a txop_limit of 0 to 65535 times 32 us");
+  }
+}
+
+void ask_queues(Rules& rules, const QueuesConfig& c) {
+  constexpr hal::Duration kNothing{};
+  const bool is_plain = c.discipline == Discipline::kFifo && !c.limit && !c.limit_bytes;
+  rules.ask(c.per == QueuePer::kStation || (is_plain && !c.airtime_fairness), "queues.per",
+            "must be station for a discipline, limit, limit_bytes or airtime_fairness");
+  rules.ask(!c.limit || *c.limit >= 1, "queues.limit", "must be 1 or more");
+  rules.ask(!c.limit_bytes || *c.limit_bytes >= 1, "queues.limit_bytes", "must be 1 or more");
+  const FqCodelConfig& codel = c.fq_codel;
+  rules.ask(codel.target > kNothing, "queues.target", "must be positive");
+  rules.ask(codel.target < codel.interval, "queues.target", "must be shorter than the interval");
+  rules.ask(codel.quantum >= 1, "queues.quantum", "must be 1 or more");
+  rules.ask(codel.flows >= 1, "queues.flows", "must be 1 or more");
+  rules.ask(c.airtime_quantum > kNothing, "queues.airtime_quantum", "must be positive");
 }
 
 void ask_mcs(Rules& rules, const HtConfig& c) {

@@ -12,6 +12,7 @@
 #include "sim/radio/infrastructure/bss_config.h"
 #include "sim/radio/mac/aggregation_config.h"
 #include "sim/radio/mac/edca_config.h"
+#include "sim/radio/mac/queues_config.h"
 #include "sim/radio/rate/rate_control_config.h"
 #include "sim/radio/station_config.h"
 #include "sim/radio/waves_config.h"
@@ -54,6 +55,7 @@ struct DcfConfig : WavesConfig {
   std::optional<hal::BitsPerSecond> beacon_rate{};
   EdcaConfig edca = edca_defaults(31, 1023, true);  ///< With `qos`.
   AggregationConfig aggregation{};                  ///< With `qos`.
+  QueuesConfig queues{};
 
  protected:
   DcfConfig();

@@ -216,7 +216,8 @@ struct RadioNetwork::State {
     Radio& radio = add_radio(station, air, profile);
     auto dcf = std::make_unique<DcfMac>(
         context, one, radio,
-        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")});
+        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates"),
+                        stream(station, "/flows").next()});
     macs.push_back(infrastructure->completed(
         {context, one, *rates_of(profile.config), stream(station, "/scan")}, std::move(dcf)));
   }

@@ -115,9 +115,11 @@ void ask_dcf(Rules& rules, Standard rates, const DcfConfig& c) {
   for (const auto rate : c.basic_rates) ask_rate(rules, rates, "basic_rates", rate);
   if (c.beacon_rate) ask_rate(rules, rates, "beacon_rate", *c.beacon_rate);
   ask_edca(rules, c.edca);
+  ask_queues(rules, c.queues);
   rules.ask(c.cca_time >= kNone, "cca_time", "must not be negative");
   rules.ask(c.cca_time < c.contention.slot, "cca_time", "must be shorter than the slot");
   ask_bss(rules, c.bss);
+  ask_announced_edca(rules, c.bss.edca);
   rules.ask(!c.msdu_lifetime || *c.msdu_lifetime > kNone, "msdu_lifetime", "must be positive");
   rules.ask(is_dsss_rate(c.protection_rate), "protection_rate", "must be 1, 2, 5.5 or 11 Mb/s");
   ask_rate_control(rules, c.rate_control);

@@ -15,9 +15,9 @@ namespace {
 using hal::Verdict;
 
 /// Results that messages to one agent can have, whatever carries them.
-constexpr std::array kMessageVerdicts{Verdict::kDelivered, Verdict::kRetryLimit,
-                                      Verdict::kQueueFull, Verdict::kRadioOff,
-                                      Verdict::kNoRoute,   Verdict::kExpired};
+constexpr std::array kMessageVerdicts{
+    Verdict::kDelivered, Verdict::kRetryLimit, Verdict::kQueueFull, Verdict::kRadioOff,
+    Verdict::kNoRoute,   Verdict::kExpired,    Verdict::kQueueDelay};
 
 bool has_access_points(const agents::SimulationConfig& config) {
   const radio::DcfConfig* const dcf = radio::dcf_of(config.radio);

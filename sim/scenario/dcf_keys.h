@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "sim/scenario/queue_keys.h"
 #include "sim/scenario/radio_keys.h"
 
 /// The keys of the profiles with the DCF of IEEE Std 802.11; radio_keys.h has those of the others.
@@ -104,6 +105,8 @@ inline void dcf_keys(Fields& io, radio::DcfConfig& c, DataKey data) {
                         "instead of being sent or repeated.",
                         "500 ms"},
                        1e-6, c.msdu_lifetime);
+  io.inside({"queues", "Queues of the frames that wait to be sent."},
+            [&](Fields& queues) { keys_of(queues, c.queues); });
   keys_of(io, c.rate_control);
 }
 

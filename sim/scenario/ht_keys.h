@@ -18,7 +18,7 @@ inline constexpr std::array kPpduTimes = {
     Option<radio::PpduTimes>{"standard", radio::PpduTimes::kStandard},
     Option<radio::PpduTimes>{"ns3", radio::PpduTimes::kNs3}};
 
-inline void keys_of(Fields& io, radio::AccessParameters& c) {
+inline void contention_keys(Fields& io, radio::AccessParameters& c) {
   io.count({"cw_min", "Smallest contention window in slots, one less than a power of two.", "15"},
            0, kMaxWindow, c.cw_min);
   io.count({"cw_max", "Largest contention window in slots, one less than a power of two.", "1023"},
@@ -30,9 +30,21 @@ inline void keys_of(Fields& io, radio::AccessParameters& c) {
               {0, 0.1}, c.txop_limit);
 }
 
-inline void keys_of(Fields& io, radio::EdcaConfig& c) {
+inline void lifetime_key(Fields& io, radio::AccessParameters& c) {
+  io.optional_duration({"msdu_lifetime",
+                        "Lifetime of frames of this category, as in `msdu_lifetime` of the radio; "
+                        "none: that one.",
+                        "50 ms"},
+                       1e-6, c.msdu_lifetime);
+}
+
+/// @param with_lifetime  of a station itself, not of what is announced to others.
+inline void keys_of(Fields& io, radio::EdcaConfig& c, bool with_lifetime) {
   const auto category = [&](const Key& key, radio::AccessCategory which) {
-    io.inside(key, [&](Fields& one) { keys_of(one, c.of(which)); });
+    io.inside(key, [&](Fields& one) {
+      contention_keys(one, c.of(which));
+      if (with_lifetime) lifetime_key(one, c.of(which));
+    });
   };
   category({"background", "Access category AC_BK: user priorities 1 and 2."},
            radio::AccessCategory::kBackground);
@@ -46,7 +58,20 @@ inline void keys_of(Fields& io, radio::EdcaConfig& c) {
 
 inline void edca_keys(Fields& io, radio::EdcaConfig& c) {
   io.inside({"edca", "Contention of the four access categories of a QoS station."},
-            [&](Fields& edca) { keys_of(edca, c); });
+            [&](Fields& edca) { keys_of(edca, c, true); });
+}
+
+/// In `bss`. What is not given is that of the radio.
+inline void announced_edca_key(Fields& io, radio::DcfConfig& c) {
+  radio::EdcaConfig edca = c.bss.edca.value_or(c.edca);
+  const bool is_there =
+      io.inside_given({"edca",
+                       "Contention that access points announce to QoS stations, which use it "
+                       "instead of the radio's "
+                       "while they are associated; the access points themselves do not.",
+                       "", "that of the radio"},
+                      c.bss.edca.has_value(), [&](Fields& one) { keys_of(one, edca, false); });
+  if (is_there) c.bss.edca = edca;
 }
 
 inline void keys_of(Fields& io, radio::AggregationConfig& c) {

@@ -120,7 +120,10 @@ void waves_keys(Fields& io, RadioConfig& config, radio::WavesConfig& waves, std:
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
     basic_rates_key(io, *rates_of(config), *dcf);
     io.inside({"bss", "Infrastructure mode: stations send to each other through access points."},
-              [&](Fields& bss) { keys_of(bss, dcf->bss); });
+              [&](Fields& bss) {
+                keys_of(bss, dcf->bss);
+                announced_edca_key(bss, *dcf);
+              });
   }
   if (io.reading() != nullptr) warn_of_levels(*io.reading(), waves);
 }

@@ -328,6 +328,50 @@ class RadioKeys(Case):
         self.falls("queue_limit", [5, 20], lambda run: run.ended("queue full"), stations=burst)
         self.rises("msdu_lifetime", ["none", "10 ms"], lambda run: run.ended("expired"), stations=burst)
 
+    def test_queues(self):
+        radio = ("profile: ieee80211b", "queues: {per: station}")
+        self.rises("queues: {per: {}}", ["radio", "station"],
+                   lambda run: run.one("SELECT count(*) FROM station_queues"), radio=radio)
+        burst = [(0, "pattern: bursts, burst: 30, rate: 1 Hz, phase: 0 s, to: b, size: 500", ""), (100, None, "")]
+        full = dict(what=lambda run: run.ended("queue full"), radio=radio, stations=burst)
+        self.falls("queues: {per: station, limit: {}}", [5, 20], **full)
+        self.falls("queues: {per: station, limit_bytes: {}}", [2000, 5000], **full)
+        delay = dict(what=lambda run: run.ended("queue delay"), radio=radio, time="1 s",
+                     stations=[(0, "pattern: saturated, backlog: 50, to: b, size: 1000", ""), (100, None, "")])
+        codel = "queues: {{per: station, discipline: fq_codel, limit: 100, {}: {{}}}}".format
+        self.rises("queues: {per: station, limit: 100, discipline: {}}", ["fifo", "fq_codel"], **delay)
+        self.falls(codel("target"), ["5 ms", "99 ms"], **delay)
+        self.falls(codel("interval"), ["50 ms", "400 ms"], **delay)
+
+    def test_queues_of_access_points(self):
+        radio = ("profile: ieee80211b", "bss: {access_point: a}")
+
+        def sends(to, size):
+            return f"pattern: saturated, backlog: 2, to: {to}, size: {size}"
+
+        def relayed(source):
+            return lambda run: run.one("SELECT coalesce(sum(count), 0) FROM relays r JOIN agents s ON s.agent = source "
+                                       f"WHERE s.name = '{source}' AND verdict = 'delivered'")
+
+        def turns(run):
+            """How often the access point sends to another receiver than before."""
+            receivers = [row[0] for row in run.query(
+                "SELECT receiver FROM frames JOIN agents ON agent = transmitter "
+                "WHERE class = 'unicast' AND name = 'a' ORDER BY at_ns")]
+            return sum(one != other for one, other in zip(receivers, receivers[1:]))
+
+        # b and d send to c: one flow fills the queue, the other loses nothing by it if it has a queue of its own.
+        thin = [(0, None, ""), (20, sends("c", 1000), ""), (40, None, ""),
+                (60, "pattern: periodic, rate: 30 Hz, to: c, size: 100", "")]
+        self.rises("queues: {per: station, discipline: fq_codel, limit: 20, target: 90 ms, flows: {}}", [1, 1024],
+                   relayed("d"), radio=radio, stations=thin, time="2 s")
+        # Long frames to d and short ones to e.
+        two = [(0, None, ""), (20, sends("d", 1400), ""), (40, sends("e", 100), ""), (60, None, ""), (80, None, "")]
+        two = dict(radio=radio, stations=two, time="2 s")
+        self.rises("queues: {per: station, airtime_fairness: {}}", ["false", "true"], relayed("c"), **two)
+        self.falls("queues: {per: station, airtime_fairness: true, airtime_quantum: {}}", ["300 us", "50 ms"], turns,
+                   **two)
+
     def test_error_models(self):
         # 7 dB over the noise 11 Mb/s gets through by the standard's curves, not by the paper's.
         weak = ("profile: ieee80211b", "noise_floor: -71.1 dBm")
@@ -464,6 +508,12 @@ class RadioKeys(Case):
         found = self.compare(best_effort("txop_limit: {}"), ["0 s", "10 ms"], **gap)
         self.assertAlmostEqual(found[1], 10)  # SIFS: no backoff within a TXOP
         self.assertAlmostEqual(found[0], 10 + 3 * slot)
+        announced = "bss: {{access_point: b, edca: {{best_effort: {{cw_min: 0, cw_max: 0, {}}}}}}}".format
+        found = self.compare(announced("aifsn: {}"), [2, 10], **gap, time="500 ms")
+        self.assertAlmostEqual(found[1] - found[0], 8 * slot)
+        burst = [(0, "pattern: bursts, burst: 30, rate: 1 Hz, phase: 0 s, to: b", ""), (100, None, "")]
+        self.rises("edca: {best_effort: {msdu_lifetime: {}}}", ["none", "5 ms"], lambda run: run.ended("expired"),
+                   radio=radio, stations=burst)
         many = [(0, "pattern: saturated, backlog: 100, to: b, size: 500", ""), (10, None, "")]
         options = dict(radio=n, stations=many)
         received = self.compare("aggregation: {max_ampdu: {}}", [0, 65535], Run.received, **options)
@@ -527,6 +577,7 @@ ELSEWHERE = {
     "hysteresis": "handover_test.py", "beacon_weight": "roaming_test.cpp", "distribution_delay": "roaming_test.cpp",
     "bits_at_risk": "tests/analytic/radio/phy_mode_test.cpp, range_test.cpp",
     "range": "tests/unit/sim/radio/disk_mac_test.cpp",
+    "quantum": "tests/unit/sim/radio/queue_discipline_test.cpp",
     "reorder_timeout": "tests/unit/sim/radio/recipient_agreement_test.cpp",
     **dict.fromkeys(("background", "video", "voice"), "tests/unit/sim/radio/recipient_agreement_test.cpp, edca_test.cpp"),
 }

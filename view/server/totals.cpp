@@ -64,6 +64,14 @@ std::string totals_json(Record& record, std::int64_t agent) {
                  " (SELECT agent, destination, 'waiting' AS what, waiting AS n FROM relay_queues"
                  " UNION ALL SELECT agent, destination, 'most', most FROM relay_queues)"
                  " WHERE agent = ? ORDER BY 1"))
+      .add(
+          "station_queues",
+          count("SELECT CASE receiver WHEN 65535 THEN 'everyone' ELSE IFNULL((SELECT name FROM"
+                " agents a WHERE a.agent = receiver), receiver) END || ' ' || category || ': ' ||"
+                " what, n FROM (SELECT agent, receiver, category, 'waiting' AS what, waiting AS n"
+                " FROM station_queues UNION ALL SELECT agent, receiver, category, 'most', most FROM"
+                " station_queues UNION ALL SELECT agent, receiver, category, verdict, count FROM"
+                " station_queue_drops) WHERE agent = ? ORDER BY 1"))
       .add("messages", count("SELECT verdict, SUM(count) FROM message_ends WHERE sender = ? GROUP "
                              "BY 1"))
       .add("routing", count("SELECT event, count FROM routing_events WHERE agent = ?"))

@@ -135,9 +135,13 @@ inline bool FaintSignals::add(StationIndex from, hal::Time sent, hal::Duration d
 inline void FaintSignals::append(StationIndex from, hal::Time sent, hal::Duration delay,
                                  hal::Duration airtime, double power) {
   // In place: a copy of members just written one by one would wait for them.
-  signals_.emplace_back(sent + delay, power, static_cast<std::uint32_t>(airtime.count()),
-                        static_cast<std::uint32_t>(delay.count()), 0u,
-                        static_cast<std::uint16_t>(from), true);
+  FaintSignal& signal = signals_.emplace_back();
+  signal.start = sent + delay;
+  signal.power = power;
+  signal.airtime = static_cast<std::uint32_t>(airtime.count());
+  signal.delay = static_cast<std::uint32_t>(delay.count());
+  signal.from = static_cast<std::uint16_t>(from);
+  signal.is_added = true;
 }
 
 static_assert(sizeof(FaintSignals) == 64);

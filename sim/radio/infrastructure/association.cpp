@@ -126,6 +126,7 @@ void Association::on_response(const Frame& frame) {
   if (answer->status != kStatusSuccess) return give_up();
   events_.cancel(timer_);
   spread_ = kFirstSpread;
+  edca_ = answer->bss.edca;
   change(State::kAssociated, target_);
   watch();
 }

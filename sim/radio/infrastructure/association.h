@@ -54,6 +54,8 @@ class Association {
   void start();
   void stop();
 
+  /// EDCA parameters that the access point announced when it accepted the station.
+  const std::optional<EdcaConfig>& edca() const { return edca_; }
   /// Access point with which the station is associated; nullopt if there is none.
   std::optional<hal::AgentId> access_point() const { return access_point_; }
   /// Whether it is associated and no handover is in progress.
@@ -91,6 +93,7 @@ class Association {
   State state_ = State::kOff;
   hal::Duration spread_{};  ///< Range of the random part of the next scan.
   std::optional<hal::AgentId> access_point_;
+  std::optional<EdcaConfig> edca_;
   hal::AgentId target_{};      ///< Candidate while kAuthenticating and kAssociating.
   EventQueue::EventId timer_;  ///< End of the scan, or of the wait for a response.
   EventQueue::EventId loss_;  ///< Time at which missing beacons mean that the access point is lost.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/radio/mac/edca_config.h"
 
 namespace sim::radio {
 
@@ -32,6 +34,9 @@ struct BssConfig {
   /// Time to wait for the response to a management frame, > 0.
   hal::Duration answer_timeout{200'000'000};
   hal::Duration distribution_delay{};  ///< Delay from one access point to another, >= 0.
+  /// EDCA parameters that access points announce, and their stations use; without lifetimes.
+  /// nullopt: DcfConfig::edca.
+  std::optional<EdcaConfig> edca{};
 };
 
 }  // namespace sim::radio

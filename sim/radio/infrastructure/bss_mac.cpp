@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/radio/mac/lifetime.h"
+
 namespace sim::radio {
 
 BssMac::BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf)
     : MacBase(context),
       config_(config),
       dcf_(std::move(dcf)),
-      most_handed_(config.qos
+      queues_(dcf_->queues()),
+      most_handed_(config.qos && queues_ == nullptr
                        ? std::min<std::size_t>(std::size_t{2} * config.aggregation.block_ack_window,
                                                config.contention.queue_limit)
                        : 1) {
   dcf_->set_listener(*this);
+  if (queues_ != nullptr) queues_->set_client(*this);
 }
 
 void BssMac::transmit(const MacRequest& request) {
@@ -36,17 +40,29 @@ void BssMac::set_radio(bool on) {
 }
 
 bool BssMac::queue_data(Waiting waiting) {
-  discard_expired();
-  if (queued() >= config_.contention.queue_limit) return false;
-  if (waiting.source != agent()) {
-    observer().on_relay_queued(now(), {agent(), waiting.source, waiting.request});
-  }
-  data_.push_back(std::move(waiting));
+  const hal::AgentId source = waiting.source;
+  const MacRequest request = waiting.request;
+  if (!push(std::move(waiting))) return false;
+  if (source != agent()) observer().on_relay_queued(now(), {agent(), source, request});
   serve();
   return true;
 }
 
+/// @return false: the queue is full.
+bool BssMac::push(Waiting waiting) {
+  if (queues_ != nullptr) return dcf_->queue(std::move(waiting));
+  discard_expired();
+  if (queued() >= config_.contention.queue_limit) return false;
+  data_.push_back(std::move(waiting));
+  return true;
+}
+
+std::size_t BssMac::queued() const {
+  return data_.size() + serving_.size() + (queues_ == nullptr ? 0 : queues_->waiting());
+}
+
 std::size_t BssMac::room() const {
+  if (queues_ != nullptr) return dcf_->room();
   const std::size_t limit = config_.contention.queue_limit;
   return limit - std::min(limit, queued());
 }
@@ -100,8 +116,9 @@ MacRequest BssMac::data_frame(const Waiting& waiting, hal::AgentId receiver, Ds 
 
 /// The requests at the front are the oldest.
 void BssMac::discard_expired() {
-  if (!config_.msdu_lifetime) return;
-  while (!data_.empty() && now() - data_.front().since > *config_.msdu_lifetime) {
+  while (!data_.empty()) {
+    const auto lifetime = lifetime_of(config_, data_.front().request.priority);
+    if (!lifetime || now() - data_.front().since <= *lifetime) return;
     end_later(std::move(data_.front()), hal::Verdict::kExpired);
     data_.pop_front();
   }
@@ -115,17 +132,27 @@ void BssMac::serve() {
       hand_down(frame);
       continue;
     }
+    if (queues_ != nullptr) break;
     discard_expired();
     if (data_.empty() || !is_open()) return;
     Waiting waiting = std::move(data_.front());
     data_.pop_front();
-    std::optional<MacRequest> frame = frame_for(waiting);
-    if (!frame) continue;
-    frame->header.since = waiting.since;
-    frame->header.ticket = ++tickets_;
-    serving_.emplace(tickets_, Serving{std::move(waiting), now()});
-    hand_down(*frame);
+    if (const std::optional<MacRequest> frame = on_turn(std::move(waiting))) hand_down(*frame);
   }
+  if (queues_ != nullptr) dcf_->serve();
+}
+
+std::optional<MacRequest> BssMac::on_turn(WaitingMsdu waiting) {
+  std::optional<MacRequest> frame = frame_for(waiting);
+  if (!frame) return std::nullopt;
+  frame->header.since = waiting.since;
+  frame->header.ticket = ++tickets_;
+  serving_.emplace(tickets_, Serving{std::move(waiting), now()});
+  return frame;
+}
+
+void BssMac::on_dropped(WaitingMsdu waiting, hal::Verdict verdict) {
+  end_later(std::move(waiting), verdict);
 }
 
 void BssMac::hand_down(const MacRequest& frame) {
@@ -134,9 +161,9 @@ void BssMac::hand_down(const MacRequest& frame) {
 }
 
 void BssMac::on_sent(const MacRequest& request, hal::Verdict verdict) {
-  --handed_;
   const hal::Time previous_end = std::exchange(last_end_, now());
   auto served = serving_.extract(request.header.ticket);
+  if (served.empty() || queues_ == nullptr) --handed_;
   if (served.empty()) {
     on_management_sent(request, verdict);
     return serve();

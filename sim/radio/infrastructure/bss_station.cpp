@@ -81,6 +81,7 @@ void BssStation::on_association() {
   if (now_with != told_) {
     told_ = now_with;
     if (!now_with) follow(std::nullopt);
+    use_edca(now_with ? association_.edca() : std::nullopt);
     observer().on_association(now(), agent(), now_with);
   }
   serve();

@@ -27,6 +27,8 @@ class BssStation final : public BssMac, private Association::Client {
   void on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
   std::optional<MacRequest> frame_for(const Waiting& waiting) override;
   bool is_open() const override { return association_.is_settled(); }
+  /// All data go to the access point.
+  hal::AgentId queue_for(hal::AgentId) const override { return hal::kEveryone; }
   void on_management_sent(const MacRequest& request, hal::Verdict verdict) override;
   void on_radio(bool on) override;
 

@@ -44,8 +44,17 @@ BssParameters parameters(const Infrastructure::Member& member, const std::string
           .short_slot = config.contention.slot == kShortSlotTime,
           .erp = erp,
           .use_protection = erp && member.context.cell.is_mixed(),
+          .qos = config.qos,
           .capabilities = own.supports(ModulationClass::kHt) ? std::optional(own) : std::nullopt,
           .primary_channel = static_cast<std::uint8_t>(channel)};
+}
+
+/// What an access point announces, too.
+BssParameters parameters_of_access_point(const Infrastructure::Member& member,
+                                         const BssConfig& config) {
+  BssParameters bss = parameters(member, config.ssid);
+  if (member.config.qos) bss.edca = config.edca.value_or(member.config.edca);
+  return bss;
 }
 
 std::vector<hal::AgentId> agents_of(const std::vector<std::string>& names,
@@ -102,7 +111,7 @@ std::unique_ptr<MacBase> Infrastructure::access_point(const Member& member,
   return std::make_unique<AccessPoint>(
       member.context, member.config, std::move(dcf),
       AccessPoint::Network{.config = config_,
-                           .bss = parameters(member, config_.ssid),
+                           .bss = parameters_of_access_point(member, config_),
                            .distribution = distribution_,
                            .first_beacon = place * config_.beacon_interval / count,
                            .rssi_dbm = power,

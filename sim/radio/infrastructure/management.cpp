@@ -4,6 +4,7 @@
 
 #include "sim/radio/infrastructure/bss_config.h"
 #include "sim/radio/infrastructure/capability_elements.h"
+#include "sim/radio/infrastructure/edca_element.h"
 #include "sim/radio/mac/mac_address.h"
 
 namespace sim::radio {
@@ -15,6 +16,7 @@ constexpr std::uint8_t kRatesElement = 1;
 constexpr std::uint8_t kDsssParametersElement = 3;
 constexpr std::uint8_t kTrafficIndicationElement = 5;
 constexpr std::uint8_t kErpElement = 42;
+constexpr std::uint8_t kQosCapabilityElement = 46;
 constexpr std::uint8_t kExtendedRatesElement = 50;
 
 constexpr std::size_t kRatesInFirst = 8;  // 9.4.2.3; the others are in the extended element
@@ -23,6 +25,7 @@ constexpr std::uint8_t kNonErpPresentAndProtection = 0x03;  // 9.4.2.12
 // Bits of the Capability Information field (9.4.1.4).
 constexpr std::uint16_t kEssBit = 0x0001;
 constexpr std::uint16_t kShortPreambleBit = 0x0020;
+constexpr std::uint16_t kQosBit = 0x0200;
 constexpr std::uint16_t kShortSlotBit = 0x0400;
 
 constexpr std::uint64_t kListenInterval = 1;  // in beacon intervals; no station uses power save
@@ -36,8 +39,8 @@ void put_element(hal::Bytes& out, std::uint8_t id, Body content) {
 }
 
 void put_capability(hal::Bytes& out, const BssParameters& bss) {
-  const int bits =
-      kEssBit | (bss.short_preamble ? kShortPreambleBit : 0) | (bss.short_slot ? kShortSlotBit : 0);
+  const int bits = kEssBit | (bss.short_preamble ? kShortPreambleBit : 0) |
+                   (bss.qos ? kQosBit : 0) | (bss.short_slot ? kShortSlotBit : 0);
   put_little_endian(out, static_cast<std::uint64_t>(bits), 2);
 }
 
@@ -54,6 +57,15 @@ void put_extended_rates(hal::Bytes& out, const BssParameters& bss) {
   if (bss.rates.size() > kRatesInFirst) {
     put_element(out, kExtendedRatesElement, Body(bss.rates).subspan(kRatesInFirst));
   }
+}
+
+void put_edca(hal::Bytes& out, const BssParameters& bss) {
+  if (bss.edca) put_edca_element(out, *bss.edca);
+}
+
+/// Of requests: a station without power save (9.4.1.17: QoS Info of 0).
+void put_qos_capability(hal::Bytes& out, const BssParameters& bss) {
+  if (bss.qos) put_element(out, kQosCapabilityElement, hal::Bytes{0});
 }
 
 void put_capabilities(hal::Bytes& out, const BssParameters& bss) {
@@ -86,6 +98,7 @@ class BodyReader {
   void take_capability(BssParameters& bss) {
     const std::uint16_t bits = take_field();
     bss.short_preamble = (bits & kShortPreambleBit) != 0;
+    bss.qos = (bits & kQosBit) != 0;
     bss.short_slot = (bits & kShortSlotBit) != 0;
   }
   /// Reads all elements up to the end.
@@ -119,6 +132,7 @@ class BodyReader {
     }
     take_capabilities(id, content, bss);
     take_ht_operation(id, content, bss.ht_operation);
+    if (id == kEdcaElement) bss.edca = take_edca_element(content);
     if (id == kDsssParametersElement && !content.empty()) bss.channel = content[0];
     if (id == kErpElement && !content.empty()) {
       bss.erp = true;
@@ -154,6 +168,7 @@ hal::Bytes encode(const Beacon& beacon) {
     put_element(out, kErpElement, Body(&flags, 1));
   }
   put_extended_rates(out, beacon.bss);
+  put_edca(out, beacon.bss);
   put_capabilities(out, beacon.bss);
   put_operation(out, beacon.bss);
   return out;
@@ -175,6 +190,7 @@ hal::Bytes encode(const AssociationRequest& request) {
   put_ssid(out, request.bss);
   put_rates(out, request.bss);
   put_extended_rates(out, request.bss);
+  put_qos_capability(out, request.bss);
   put_capabilities(out, request.bss);
   return out;
 }
@@ -186,6 +202,7 @@ hal::Bytes encode(const AssociationResponse& response) {
   put_little_endian(out, kTwoHighestBits | static_cast<std::uint64_t>(response.association_id), 2);
   put_rates(out, response.bss);
   put_extended_rates(out, response.bss);
+  put_edca(out, response.bss);
   put_capabilities(out, response.bss);
   put_operation(out, response.bss);
   return out;

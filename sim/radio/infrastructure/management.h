@@ -9,6 +9,7 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/message.h"
 #include "hal/types/time.h"
+#include "sim/radio/mac/edca_config.h"
 #include "sim/radio/mac/ht_protection.h"
 #include "sim/radio/mac/mac_sap.h"
 #include "sim/radio/phy/capabilities.h"
@@ -27,8 +28,10 @@ struct BssParameters {
   std::optional<std::uint8_t> channel{};  ///< In 2.4 GHz, 1 .. 14.
   bool short_preamble = false;
   bool short_slot = false;
-  bool erp = false;             ///< Beacons carry the ERP element (9.4.2.12).
-  bool use_protection = false;  ///< ERP element: there are NonERP stations.
+  bool erp = false;                  ///< Beacons carry the ERP element (9.4.2.12).
+  bool use_protection = false;       ///< ERP element: there are NonERP stations.
+  bool qos = false;                  ///< QoS station.
+  std::optional<EdcaConfig> edca{};  ///< In beacons and responses of QoS access points.
   /// Of the sender, if it has MCSs; the width of stations in 80 MHz only in beacons and responses
   /// (capability_elements.h).
   std::optional<Capabilities> capabilities{};

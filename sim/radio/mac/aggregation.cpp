@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/radio/mac/frame_lengths.h"
+#include "sim/radio/mac/lifetime.h"
 
 namespace sim::radio {
 namespace {
@@ -69,28 +70,34 @@ std::optional<PsduSize> Aggregation::with(const PsduSize& size, std::uint32_t mp
 }
 
 bool Aggregation::is_expired(const Outgoing& outgoing, hal::Time now) const {
-  return config_.msdu_lifetime && now - outgoing.queued > *config_.msdu_lifetime;
+  const std::optional<hal::Duration> lifetime = lifetime_of(config_, outgoing.request.priority);
+  return lifetime && now - outgoing.queued > *lifetime;
+}
+
+/// Goes to the next MSDU of the stream in the queue. @return whether there is one.
+bool Aggregation::find(const MpduStream& stream, Supply& supply) const {
+  TxQueue& queue = supply.queue;
+  for (;; ++supply.place) {
+    const bool is_there = supply.place < queue.size() || (supply.more && supply.more());
+    if (!is_there) return false;
+    const Outgoing& next = queue.at(supply.place);
+    if (belongs(stream, next) && !is_expired(next, supply.now)) return true;
+  }
 }
 
 /// Takes the next MSDU of the stream out of the queue, with those that follow it into one A-MSDU.
-/// @param place  where to look from; left at the place after it.
-std::optional<Mpdu> Aggregation::next_mpdu(const MpduStream& stream, TxQueue& queue,
-                                           std::size_t& place, hal::Time now) const {
-  const auto find = [&] {
-    while (place < queue.size() &&
-           (!belongs(stream, queue.at(place)) || is_expired(queue.at(place), now))) {
-      ++place;
-    }
-    return place < queue.size();
-  };
-  if (!find()) return std::nullopt;
+std::optional<Mpdu> Aggregation::next_mpdu(const MpduStream& stream, Supply& supply) const {
+  if (!find(stream, supply)) return std::nullopt;
+  TxQueue& queue = supply.queue;
+  const std::size_t& place = supply.place;
   Mpdu mpdu;
   mpdu.bits = bits_of(config_.lengths, queue.at(place));
   std::uint32_t amsdu = amsdu_subframe_bytes(queue.at(place));
-  mpdu.msdus.push_back(queue.take(place, now));
-  while (find() && amsdu_bytes(amsdu, queue.at(place)) <= config_.aggregation.max_amsdu) {
+  mpdu.msdus.push_back(queue.take(place, supply.now));
+  while (config_.aggregation.max_amsdu > 0 && find(stream, supply) &&
+         amsdu_bytes(amsdu, queue.at(place)) <= config_.aggregation.max_amsdu) {
     amsdu = amsdu_bytes(amsdu, queue.at(place));
-    mpdu.msdus.push_back(queue.take(place, now));
+    mpdu.msdus.push_back(queue.take(place, supply.now));
   }
   if (mpdu.msdus.size() > 1) {
     constexpr std::uint32_t kQosHeaderAndFcs = 26 + 4;
@@ -100,7 +107,7 @@ std::optional<Mpdu> Aggregation::next_mpdu(const MpduStream& stream, TxQueue& qu
 }
 
 PsduSize Aggregation::fill(MpduStream& stream, TxQueue& queue, const PpduLimits& limits,
-                           hal::Time now) const {
+                           hal::Time now, const std::function<bool()>& more) const {
   PsduSize size;
   for (const Mpdu& mpdu : stream.in_flight) {
     const std::optional<PsduSize> next = with(size, mpdu.bits, limits);
@@ -108,9 +115,9 @@ PsduSize Aggregation::fill(MpduStream& stream, TxQueue& queue, const PpduLimits&
     if (!next || size.mpdus == stream.window) return finished(size, stream, limits.mode);
     size = *next;
   }
-  std::size_t place = 0;
+  Supply supply{queue, more, now};
   while (stream.has_room()) {
-    std::optional<Mpdu> mpdu = next_mpdu(stream, queue, place, now);
+    std::optional<Mpdu> mpdu = next_mpdu(stream, supply);
     if (!mpdu) break;
     const std::optional<PsduSize> next = with(size, mpdu->bits, limits);
     mpdu->sequence = stream.take_number();

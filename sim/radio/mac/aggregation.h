@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "hal/types/time.h"
@@ -34,7 +35,10 @@ class Aggregation {
   /// Chooses the first MPDUs of the stream for the next PPDU, and takes as many more MSDUs of the
   /// queue as fit. Without an agreement there is one MPDU. @return the size; no MPDU if not even
   /// the first one fits.
-  PsduSize fill(MpduStream& stream, TxQueue& queue, const PpduLimits& limits, hal::Time now) const;
+  /// @param more  puts the next MSDU of the stream at the end of the queue. @return whether there
+  /// was one.
+  PsduSize fill(MpduStream& stream, TxQueue& queue, const PpduLimits& limits, hal::Time now,
+                const std::function<bool()>& more = {}) const;
 
   /// Bits of a PSDU of `bits` with one more MPDU: delimiter, MPDU, and padding of what precedes
   /// (9.7.1).
@@ -45,8 +49,15 @@ class Aggregation {
  private:
   std::optional<PsduSize> with(const PsduSize& size, std::uint32_t mpdu_bits,
                                const PpduLimits& limits) const;
-  std::optional<Mpdu> next_mpdu(const MpduStream& stream, TxQueue& queue, std::size_t& place,
-                                hal::Time now) const;
+  /// Where MSDUs come from.
+  struct Supply {
+    TxQueue& queue;
+    const std::function<bool()>& more;
+    hal::Time now;
+    std::size_t place = 0;  ///< In the queue, where to look from.
+  };
+  bool find(const MpduStream& stream, Supply& supply) const;
+  std::optional<Mpdu> next_mpdu(const MpduStream& stream, Supply& supply) const;
   bool is_expired(const Outgoing& outgoing, hal::Time now) const;
 
   const DcfConfig& config_;

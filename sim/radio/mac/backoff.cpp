@@ -52,6 +52,14 @@ void Backoff::on_idle() {
   schedule();
 }
 
+void Backoff::set_aifs(hal::Duration aifs) {
+  if (aifs == timing_.aifs) return;
+  if (!busy_) count_slots(events_.now());
+  idle_since_ += timing_.aifs - aifs;
+  timing_.aifs = aifs;
+  schedule();
+}
+
 void Backoff::reset(bool busy) {
   events_.cancel(access_);
   busy_ = busy;

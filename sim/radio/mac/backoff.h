@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "hal/types/agent_id.h"
@@ -22,6 +23,11 @@ class ContentionWindow {
   ContentionWindow(std::uint32_t min, std::uint32_t max) : min_(min), max_(max), value_(min) {}
   std::uint32_t value() const { return value_; }
   void reset() { value_ = min_; }
+  void set_limits(std::uint32_t min, std::uint32_t max) {
+    min_ = min;
+    max_ = max;
+    value_ = std::clamp(value_, min, max);
+  }
   void grow() { value_ = value_ >= max_ ? max_ : 2 * value_ + 1; }
 
  private:
@@ -70,6 +76,9 @@ class Backoff {
 
   /// Treats the medium as busy until this time, which may lie in the future: during an EIFS.
   void hold_until(hal::Time until) { held_until_ = until; }
+
+  /// Replaces the interframe space, from the next time on that the medium becomes idle.
+  void set_aifs(hal::Duration aifs);
 
   /// Resets all state when the radio is switched off. @param busy  state of the medium.
   void reset(bool busy);

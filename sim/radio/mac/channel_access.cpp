@@ -33,6 +33,17 @@ void ChannelAccess::add(const AccessParameters& parameters, const DcfTiming& tim
                                                Function::Settings{functions(), parameters, own}));
 }
 
+void ChannelAccess::set(const EdcaConfig& edca, const DcfTiming& timing) {
+  if (functions() < kAccessCategories) return;
+  for (std::size_t i = 0; i < kAccessCategories; ++i) {
+    const AccessParameters& parameters = edca.categories[i];
+    Function& one = at(i);
+    one.txop_limit = parameters.txop_limit;
+    one.window.set_limits(parameters.cw_min, parameters.cw_max);
+    one.backoff.set_aifs(timing.sifs + parameters.aifsn * timing.slot);
+  }
+}
+
 void ChannelAccess::request(ContentionFunction function) {
   Function& one = at(function);
   one.backoff.request(one.window.value());

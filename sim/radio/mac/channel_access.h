@@ -10,6 +10,7 @@
 #include "sim/core/event_queue.h"
 #include "sim/radio/mac/backoff.h"
 #include "sim/radio/mac/dcf_timing.h"
+#include "sim/radio/mac/edca_config.h"
 #include "sim/radio/radio_config.h"
 
 namespace sim::radio {
@@ -43,6 +44,9 @@ class ChannelAccess {
   std::size_t functions() const { return 1 + others_.size(); }
   /// Longest time for which the function may hold the medium; 0: one frame exchange.
   hal::Duration txop_limit(ContentionFunction function) { return at(function).txop_limit; }
+
+  /// Replaces the parameters of all access categories; no effect on the DCF.
+  void set(const EdcaConfig& edca, const DcfTiming& timing);
 
   /// As in Backoff.
   void request(ContentionFunction function);

@@ -32,19 +32,40 @@ DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
                    .cell = context.cell,
                    .agent = context.agent,
                    .functions = access_.functions(),
-                   .rates = streams.rates},
+                   .rates = streams.rates,
+                   .flows = streams.flows,
+                   .observer = context.observer},
                   frames_),
       recipient_(context.events, context.agent, config, frames_, *this) {
   radio_.attach(*this);
+  if (queues() == nullptr) return;
+  own_requests_ = std::make_unique<OwnRequests>(*this);
+  queues()->set_client(*own_requests_);
 }
 
 void DcfMac::transmit(const MacRequest& request) {
   check(request);
   if (!radio_on()) return report_later(request, hal::Verdict::kRadioOff);
+  if (queues() != nullptr && !is_management(request.header.type)) {
+    if (!queue({request, agent(), now()})) return report_later(request, hal::Verdict::kQueueFull);
+    return serve();
+  }
   const ContentionFunction function = originator_.function_of(request);
-  if (originator_.room(function) == 0) return report_later(request, hal::Verdict::kQueueFull);
+  if (queues() == nullptr && originator_.room(function) == 0)
+    return report_later(request, hal::Verdict::kQueueFull);
   originator_.push(request, now());
   ask(function);
+}
+
+bool DcfMac::queue(WaitingMsdu waiting) {
+  const MacRequest& request = waiting.request;
+  const MsduQueues::Name name{originator_.function_of(request),
+                              queues()->client().queue_for(request.destination)};
+  return queues()->push(name, std::move(waiting), now());
+}
+
+void DcfMac::serve() {
+  for (ContentionFunction function = 0; function < access_.functions(); ++function) ask(function);
 }
 
 void DcfMac::set_radio(bool on) {
@@ -53,7 +74,7 @@ void DcfMac::set_radio(bool on) {
   sequence_.reset();
   carrier_.reset();
   recipient_.reset();
-  EndedMsdus ended = originator_.take_all();
+  EndedMsdus ended = originator_.take_all(now());
   end_all_later(ended);
 }
 
@@ -99,6 +120,7 @@ void DcfMac::on_exchange_end(ExchangeEnd end, const BlockAckFields* answer) {
   EndedMsdus ended;
   bool window_starts_anew = true;
   const hal::Duration took = now() - originator_.service_since(exchange);
+  if (end != ExchangeEnd::kNoCts) originator_.charge(exchange);
   switch (end) {
     case ExchangeEnd::kDelivered:
       originator_.on_delivered(exchange, now(), ended);
@@ -186,10 +208,19 @@ void DcfMac::on_unicast(const ReceivedPpdu& received) {
     return;
   }
   if (is_control(frame.type)) return;
+  if (queues() != nullptr) charge_sender(received.ppdu);
   FramePtr answer = recipient_.answer_to(received);
   if (answer == nullptr) return;  // what is not acknowledged will come again
   sequence_.answer(std::move(answer));
   recipient_.accept(received);
+}
+
+void DcfMac::charge_sender(const Ppdu& ppdu) {
+  const Frame& frame = ppdu.first();
+  MacRequest answer;
+  answer.priority = frame.priority;
+  const ContentionFunction function = originator_.function_of(answer);
+  originator_.charge(frame.transmitter, function, ppdu.airtime);
 }
 
 void DcfMac::on_mpdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {

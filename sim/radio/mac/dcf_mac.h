@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "hal/types/random.h"
@@ -27,6 +30,7 @@ class DcfMac final : public MacBase,
   struct Streams {
     hal::RandomStream backoff;
     hal::RandomStream rates;  ///< Random numbers of the rate control.
+    std::uint64_t flows = 0;  ///< Seed of flow_hash().
   };
   /// @param config  outlives the MAC.
   DcfMac(const Context& context, const DcfConfig& config, Radio& radio, const Streams& streams);
@@ -42,6 +46,16 @@ class DcfMac final : public MacBase,
   void set_use_listener(RadioUseListener* listener) override { radio_.set_use_listener(listener); }
   /// As Protection::follow().
   void follow(std::optional<HtProtection> told) { originator_.protection().follow(told); }
+
+  /// Replaces the parameters of EDCA; no effect on a station without QoS.
+  void set_edca(const EdcaConfig& edca) { access_.set(edca, carrier_.timing()); }
+
+  /// Queues of receivers; null if there are none. Whoever sets their client in place of this MAC
+  /// pushes MSDUs through queue() and calls serve(), also when client.is_open() has become true.
+  MsduQueues* queues() { return originator_.queues(); }
+  /// @return false: the queue is full. @pre queues() is not null.
+  bool queue(WaitingMsdu waiting);
+  void serve();
 
  private:
   std::size_t queued() const override { return originator_.waiting(); }
@@ -64,8 +78,24 @@ class DcfMac final : public MacBase,
   void end_all(const EndedMsdus& ended);
   void end_all_later(EndedMsdus& ended);
   void on_unicast(const ReceivedPpdu& received);
+  void charge_sender(const Ppdu& ppdu);
   void on_action(const Frame& frame);
   void on_amsdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+
+  /// Its own requests in queues of receivers.
+  class OwnRequests final : public MsduQueueClient {
+   public:
+    explicit OwnRequests(DcfMac& mac) : mac_(mac) {}
+    std::optional<MacRequest> on_turn(WaitingMsdu waiting) override {
+      return std::move(waiting.request);
+    }
+    void on_dropped(WaitingMsdu waiting, hal::Verdict verdict) override {
+      mac_.report_later(std::move(waiting.request), verdict);
+    }
+
+   private:
+    DcfMac& mac_;
+  };
 
   const DcfConfig& config_;
   Radio& radio_;
@@ -77,6 +107,7 @@ class DcfMac final : public MacBase,
   Originator originator_;
   Recipient recipient_;
   hal::Time txop_end_{};  ///< Of the current TXOP, if its function has a limit.
+  std::unique_ptr<OwnRequests> own_requests_;  ///< Null without queues of receivers.
 };
 
 }  // namespace sim::radio

@@ -3,7 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
+#include "hal/types/enum_names.h"
 #include "hal/types/time.h"
 
 namespace sim::radio {
@@ -13,6 +16,23 @@ namespace sim::radio {
 enum class AccessCategory : std::uint8_t { kBackground, kBestEffort, kVideo, kVoice };
 inline constexpr std::size_t kAccessCategories = 4;
 
+/// "BK", "BE", "VI", "VO".
+constexpr std::string_view name(AccessCategory category) {
+  switch (category) {
+    case AccessCategory::kBackground:
+      return "BK";
+    case AccessCategory::kBestEffort:
+      return "BE";
+    case AccessCategory::kVideo:
+      return "VI";
+    case AccessCategory::kVoice:
+      return "VO";
+  }
+  return {};
+}
+static_assert(hal::names_exactly<AccessCategory, static_cast<int>(kAccessCategories)>(
+    [](AccessCategory c) { return name(c); }));
+
 /// How one access category contends for the medium.
 struct AccessParameters {
   std::uint32_t cw_min = 15;    ///< Slots; one less than a power of two.
@@ -20,6 +40,8 @@ struct AccessParameters {
   std::uint32_t aifsn = 3;  ///< AIFS = SIFS + aifsn slots; 2 .. 15 (1 .. 15 in an access point).
   /// Longest time for which a station may hold the medium; 0: one frame exchange.
   hal::Duration txop_limit{};
+  /// Lifetime of MSDUs, instead of that of all categories, > 0.
+  std::optional<hal::Duration> msdu_lifetime{};
   bool operator==(const AccessParameters&) const = default;
 };
 
@@ -45,10 +67,10 @@ constexpr EdcaConfig edca_defaults(std::uint32_t cw_min, std::uint32_t cw_max, b
   const std::uint32_t half = (cw_min + 1) / 2 - 1, quarter = (cw_min + 1) / 4 - 1;
   const hal::Duration video = microseconds{is_dsss ? 6016 : 4096};
   const hal::Duration voice = microseconds{is_dsss ? 3264 : 2080};
-  return {{{{cw_min, cw_max, 7, {}},
-            {cw_min, cw_max, 3, {}},
-            {half, cw_min, 2, video},
-            {quarter, half, 2, voice}}}};
+  return {{{{cw_min, cw_max, 7, {}, {}},
+            {cw_min, cw_max, 3, {}, {}},
+            {half, cw_min, 2, video, {}},
+            {quarter, half, 2, voice, {}}}}};
 }
 
 }  // namespace sim::radio

@@ -52,7 +52,8 @@ class MacClient {
   virtual ~MacClient() = default;
   virtual void on_receive(const MacIndication& indication) = 0;
   /// Called exactly once per request, never from within transmit(), with kDelivered (acknowledged;
-  /// broadcast: sent), kRetryLimit, kQueueFull, kRadioOff or kExpired; from an access point also
+  /// broadcast: sent), kRetryLimit, kQueueFull, kRadioOff, kExpired or kQueueDelay; from an access
+  /// point also
   /// with kNoRoute (the destination is not associated with any access point).
   virtual void on_transmitted(std::uint64_t tag, hal::Verdict verdict) = 0;
 };

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
+#include "sim/radio/mac/edca_config.h"
 
 namespace sim::radio {
 
@@ -26,6 +28,24 @@ struct MsduEnd {
   hal::Verdict verdict = hal::Verdict::kDelivered;  ///< As in MacClient::on_transmitted().
   bool has_waited = true;                           ///< The MSDU was in the queue.
   bool went_over_wire = false;  ///< Delivered over the distribution system to another access point.
+};
+
+/// What happened in a queue of a station for one receiver and access category
+/// (QueuesConfig::per).
+struct QueueChange {
+  enum class What : std::uint8_t {
+    kQueued,
+    kLeft,     ///< To be sent, or to take another path.
+    kDropped,  ///< After it had been queued; `verdict` says why.
+    kRefused,  ///< The queue was full.
+  };
+  hal::AgentId station;
+  /// kEveryone: group frames; of a station with an access point, all, as they go to that.
+  hal::AgentId receiver;
+  std::optional<AccessCategory> category{};  ///< nullopt: of a station without QoS.
+  What what = What::kQueued;
+  std::size_t bytes = 0;  ///< Of payload.
+  hal::Verdict verdict = hal::Verdict::kDelivered;
 };
 
 /// Observer of the medium, for records and fingerprints. Calls come in event order.
@@ -64,6 +84,8 @@ class RadioObserver {
   }
   /// An access point queues a frame of another station.
   virtual void on_relay_queued(hal::Time at, const Msdu& msdu) { (void)at, (void)msdu; }
+  /// Only of queues for receivers.
+  virtual void on_queue(hal::Time at, const QueueChange& change) { (void)at, (void)change; }
   /// An MSDU ended at a station that was to send it, or at an access point that was to relay it; or
   /// it was received, and the station that it is for could not use it. Its last frame, if any, was
   /// reported before, and so was the reception of that frame if it has only one receiver.

@@ -1,10 +1,13 @@
-// What an originator sends next; originator_results.cpp has what follows from the answer.
+// What an originator sends next; originator_frames.cpp makes the frames, originator_turns.cpp has
+// the queues of receivers, originator_results.cpp what follows from the answer.
 #include "sim/radio/mac/originator.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "sim/radio/mac/access_category.h"
 #include "sim/radio/mac/frame_lengths.h"
+#include "sim/radio/mac/lifetime.h"
 
 namespace sim::radio {
 namespace {
@@ -32,6 +35,10 @@ Originator::Originator(const Parts& parts, FrameFactory& frames)
     functions_.push_back({TxQueue(contention.queue_limit),
                           RetryCounters(contention.short_retry_limit, config_.long_retry_limit)});
   }
+  if (config_.queues.per == QueuePer::kStation) {
+    queues_ = std::make_unique<MsduQueues>(
+        config_, parts.functions, MsduQueues::Station{parts.observer, parts.agent, parts.flows});
+  }
 }
 
 ContentionFunction Originator::function_of(const MacRequest& request) const {
@@ -42,6 +49,7 @@ ContentionFunction Originator::function_of(const MacRequest& request) const {
 }
 
 std::size_t Originator::room(ContentionFunction function) const {
+  if (queues_ != nullptr) return queues_->room(function);
   const Function& one = functions_[function];
   std::size_t taken = 0;
   for (const MpduStream* const stream : one.streams) taken += stream->in_flight.size();
@@ -49,7 +57,7 @@ std::size_t Originator::room(ContentionFunction function) const {
 }
 
 std::size_t Originator::waiting() const {
-  std::size_t waiting = 0;
+  std::size_t waiting = queues_ == nullptr ? 0 : queues_->waiting_with_back();
   for (const Function& one : functions_) {
     waiting += one.queue.size();
     for (const MpduStream* const stream : one.streams) {
@@ -69,12 +77,13 @@ void Originator::push_front(const MacRequest& request, hal::Time now) {
 
 bool Originator::has_work(ContentionFunction function) const {
   const Function& one = functions_[function];
-  return !one.queue.is_empty() || !one.streams.empty();
+  return !one.queue.is_empty() || !one.streams.empty() ||
+         (queues_ != nullptr && queues_->has(function));
 }
 
 bool Originator::is_expired(const Outgoing& outgoing, hal::Time now) const {
-  return config_.msdu_lifetime && !outgoing.is_management() &&
-         now - outgoing.queued > *config_.msdu_lifetime;
+  const std::optional<hal::Duration> lifetime = lifetime_of(config_, outgoing.request.priority);
+  return lifetime && !outgoing.is_management() && now - outgoing.queued > *lifetime;
 }
 
 void Originator::discard_expired(Function& function, hal::Time now, EndedMsdus& ended) {
@@ -130,20 +139,47 @@ bool Originator::request_agreement(MpduStream& stream, Function& function, hal::
 std::optional<Exchange> Originator::next(ContentionFunction number, hal::Time now,
                                          const Budget& budget, EndedMsdus& ended) {
   Function& function = functions_[number];
-  if (!function.streams.empty()) {
+  if (is_in_service(function)) {
     MpduStream& stream = *function.streams.front();
-    discard_expired(stream, now, ended);
-    if (stream.must_ask) return request_exchange(number, stream, now);
-    if (!stream.in_flight.empty()) return stream_exchange(number, stream, now, budget);
-    settle(function, stream);
+    if (resume(number, stream, now, ended)) return stream_turn(number, stream, now, budget);
   }
   discard_expired(function, now, ended);
-  if (function.queue.is_empty()) return std::nullopt;
+  if (!function.queue.is_empty()) return head_turn(number, now, budget);
+  return queues_ == nullptr ? std::nullopt : next_turn(number, now, budget, ended);
+}
+
+/// Whether the first stream goes on, whatever else waits: with queues of receivers only after a
+/// failure, as a driver repeats before it asks for more.
+bool Originator::is_in_service(const Function& function) const {
+  if (function.streams.empty()) return false;
+  return queues_ == nullptr || function.streams.front()->must_ask || function.retries.is_counting();
+}
+
+/// @return whether anything of the stream is left to be sent.
+bool Originator::resume(ContentionFunction number, MpduStream& stream, hal::Time now,
+                        EndedMsdus& ended) {
+  discard_expired(stream, now, ended);
+  if (stream.must_ask || !stream.in_flight.empty()) return true;
+  settle(functions_[number], stream);
+  return false;
+}
+
+std::optional<Exchange> Originator::stream_turn(ContentionFunction number, MpduStream& stream,
+                                                hal::Time now, const Budget& budget) {
+  if (stream.must_ask) return request_exchange(number, stream, now);
+  return stream_exchange(number, stream, now, budget);
+}
+
+/// The turn of the head of the queue.
+std::optional<Exchange> Originator::head_turn(ContentionFunction number, hal::Time now,
+                                              const Budget& budget) {
+  Function& function = functions_[number];
   if (!is_stream(function.queue.head())) return head_exchange(number, now, budget);
   MpduStream& stream = stream_of(function.queue.head());
   if (request_agreement(stream, function, now)) return head_exchange(number, now, budget);
   stream.served_since = function.queue.head_since();
-  function.streams.push_back(&stream);
+  std::erase(function.streams, &stream);
+  function.streams.push_front(&stream);
   return stream_exchange(number, stream, now, budget);
 }
 
@@ -182,11 +218,14 @@ std::optional<Exchange> Originator::stream_exchange(ContentionFunction number, M
                     .stream = &stream,
                     .mpdus = 2};  // so that there is time for a BlockAck
   const hal::Duration after = config_.contention.sifs + response_airtime(exchange);
+  std::function<bool()> more;
+  if (queues_ != nullptr) more = [&] { return pop_more(number, stream, now); };
   const PsduSize size = aggregation_.fill(
       stream, function.queue,
       {*exchange.mode, std::min(exchange.mode->longest_ppdu(), budget.left - after),
        budget.is_first},
-      now);
+      now, more);
+  if (queues_ != nullptr) put_back(number, now);
   if (size.mpdus == 0) {
     settle(function, stream);
     return std::nullopt;
@@ -208,88 +247,7 @@ Exchange Originator::request_exchange(ContentionFunction number, MpduStream& str
           .stream = &stream};
 }
 
-PpduPtr Originator::make(const Exchange& exchange, hal::Duration after, hal::Time now) {
-  switch (exchange.kind) {
-    case Exchange::Kind::kHead:
-      return make_head(exchange, after, now);
-    case Exchange::Kind::kAggregate:
-      return make_mpdus(exchange, after, now);
-    case Exchange::Kind::kBlockAckRequest:
-      break;
-  }
-  const BlockAckFields fields{.tid = exchange.stream->tid, .start = exchange.stream->start()};
-  return ppdu_of(frames_.block_ack_request(exchange.to, fields, after, *exchange.mode));
-}
-
-PpduPtr Originator::make_head(const Exchange& exchange, hal::Duration after, hal::Time now) {
-  Outgoing& head = functions_[exchange.function].queue.head();
-  const bool retry = head.attempts++ > 0;
-  return ppdu_of(frames_.data(head.request, {.sequence = head.sequence,
-                                             .retry = retry,
-                                             .duration = after,
-                                             .mode = exchange.mode,
-                                             .at = now}));
-}
-
-PpduPtr Originator::make_mpdus(const Exchange& exchange, hal::Duration after, hal::Time now) {
-  std::deque<Mpdu>& mpdus = exchange.stream->in_flight;
-  if (exchange.mpdus == 1) {
-    auto single = std::make_shared<Ppdu>(*exchange.mode, exchange.bits);
-    std::shared_ptr<Frame> frame = make_mpdu(exchange, mpdus.front(), after, now);
-    frame->airtime = single->airtime;
-    single->parts.push_back({std::move(frame), 0, exchange.bits});
-    return single;
-  }
-  ++ampdus_;
-  auto ppdu = std::make_shared<Ppdu>(*exchange.mode, exchange.bits);
-  const hal::Duration head = exchange.mode->preamble_and_header();
-  const auto sent_until = [&](std::uint32_t bit) {
-    const double share = static_cast<double>(bit) / exchange.bits;
-    return head + hal::Duration{static_cast<std::int64_t>(
-                      static_cast<double>((ppdu->airtime - head).count()) * share)};
-  };
-  hal::Duration sent{};
-  for (std::uint32_t i = 0, bits = 0; i < exchange.mpdus; ++i) {
-    const std::uint32_t begin = Aggregation::subframe_begin(bits);
-    bits = Aggregation::with_subframe(bits, mpdus[i].bits);
-    std::shared_ptr<Frame> frame = make_mpdu(exchange, mpdus[i], after, now);
-    frame->ampdu = ampdus_;
-    frame->is_last_of_ampdu = i + 1 == exchange.mpdus;
-    frame->airtime = (frame->is_last_of_ampdu ? ppdu->airtime : sent_until(bits)) - sent;
-    frame->airtime_before = sent;
-    frame->airtime_of_all = ppdu->airtime;
-    sent += frame->airtime;
-    ppdu->parts.push_back({std::move(frame), begin, bits});
-  }
-  return ppdu;
-}
-
-std::shared_ptr<Frame> Originator::make_mpdu(const Exchange& exchange, Mpdu& mpdu,
-                                             hal::Duration after, hal::Time now) {
-  const bool retry = mpdu.attempts++ > 0;
-  auto frame = frames_.data(mpdu.msdus.front().request, {.sequence = mpdu.sequence,
-                                                         .retry = retry,
-                                                         .duration = after,
-                                                         .mode = exchange.mode,
-                                                         .at = now,
-                                                         .qos = true,
-                                                         .bits = mpdu.bits});
-  if (mpdu.msdus.size() == 1) return frame;
-  auto parts = std::make_shared<std::vector<AmsduPart>>();
-  for (const Outgoing& msdu : mpdu.msdus) {
-    const MacRequest& request = msdu.request;
-    parts->push_back({.source = request.header.ds == Ds::kFrom ? request.header.address3 : agent_,
-                      .destination = request.header.ds == Ds::kTo ? request.header.address3
-                                                                  : request.destination,
-                      .ethertype = request.ethertype,
-                      .payload = request.payload,
-                      .tag = request.tag});
-  }
-  frame->amsdu = std::move(parts);
-  return frame;
-}
-
-EndedMsdus Originator::take_all() {
+EndedMsdus Originator::take_all(hal::Time now) {
   EndedMsdus ended;
   for (Function& one : functions_) {
     for (MpduStream* const stream : one.streams) {
@@ -301,6 +259,13 @@ EndedMsdus Originator::take_all() {
       ended.push_back({std::move(outgoing.request), hal::Verdict::kRadioOff});
     }
     one.retries.reset();
+  }
+  if (queues_ != nullptr) {
+    std::vector<Outgoing> back;
+    queues_->clear(now, back);
+    for (Outgoing& outgoing : back) {
+      ended.push_back({std::move(outgoing.request), hal::Verdict::kRadioOff});
+    }
   }
   for (auto& [key, stream] : streams_) forget_agreement(stream);
   return ended;

@@ -14,6 +14,7 @@
 #include "sim/radio/mac/exchange.h"
 #include "sim/radio/mac/frame_factory.h"
 #include "sim/radio/mac/mpdu_stream.h"
+#include "sim/radio/mac/msdu_queues.h"
 #include "sim/radio/mac/ppdu.h"
 #include "sim/radio/mac/protection.h"
 #include "sim/radio/mac/retry.h"
@@ -35,6 +36,8 @@ class Originator {
     hal::AgentId agent;
     std::size_t functions;
     hal::RandomStream rates;  ///< Random numbers of the rate control.
+    std::uint64_t flows;      ///< Seed of flow_hash().
+    RadioObserver& observer;
   };
   /// @param frames  outlives this object, as do the parts.
   Originator(const Parts& parts, FrameFactory& frames);
@@ -49,6 +52,12 @@ class Originator {
   /// Queues a frame of the MAC itself before all others.
   void push_front(const MacRequest& request, hal::Time now);
   bool has_work(ContentionFunction function) const;
+
+  /// The queues of data; null if they wait with everything else, first in, first out.
+  MsduQueues* queues() const { return queues_.get(); }
+  /// Adds the airtime of an exchange, or of a frame received, to the receiver's or the sender's.
+  void charge(const Exchange& exchange);
+  void charge(hal::AgentId sender, ContentionFunction function, hal::Duration airtime);
 
   /// What is left of a TXOP.
   struct Budget {
@@ -86,7 +95,7 @@ class Originator {
   void on_delete(hal::AgentId from, const DeleteBlockAck& del);
 
   /// Removes everything and forgets all agreements: the radio is switched off.
-  EndedMsdus take_all();
+  EndedMsdus take_all(hal::Time now);
 
   /// Since when what the exchange sends has been the next to be sent.
   hal::Time service_since(const Exchange& exchange) const {
@@ -109,6 +118,18 @@ class Originator {
   void discard_expired(Function& function, hal::Time now, EndedMsdus& ended);
   void discard_expired(MpduStream& stream, hal::Time now, EndedMsdus& ended);
   bool is_stream(const Outgoing& outgoing) const;
+  bool is_in_service(const Function& function) const;
+  MsduQueues::Name name_of(ContentionFunction function, hal::AgentId receiver) const;
+  MpduStream* stream_for(const Function& function, hal::AgentId queue) const;
+  std::optional<Exchange> next_turn(ContentionFunction function, hal::Time now,
+                                    const Budget& budget, EndedMsdus& ended);
+  bool resume(ContentionFunction function, MpduStream& stream, hal::Time now, EndedMsdus& ended);
+  std::optional<Exchange> stream_turn(ContentionFunction function, MpduStream& stream,
+                                      hal::Time now, const Budget& budget);
+  std::optional<Exchange> head_turn(ContentionFunction function, hal::Time now,
+                                    const Budget& budget);
+  bool pop_more(ContentionFunction function, const MpduStream& stream, hal::Time now);
+  void put_back(ContentionFunction function, hal::Time now);
   MpduStream& stream_of(const Outgoing& outgoing);
   bool request_agreement(MpduStream& stream, Function& function, hal::Time now);
   std::optional<Exchange> head_exchange(ContentionFunction function, hal::Time now,
@@ -141,6 +162,7 @@ class Originator {
   Protection protection_;
   Aggregation aggregation_;
   std::vector<Function> functions_;
+  std::unique_ptr<MsduQueues> queues_;
   std::map<StreamKey, MpduStream> streams_;
   std::uint32_t ampdus_ = 0;  ///< Number of A-MPDUs made.
   std::uint8_t dialogs_ = 0;  ///< Number of agreements asked for.

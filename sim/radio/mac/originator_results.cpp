@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/radio/mac/lifetime.h"
 #include "sim/radio/mac/originator.h"
 
 namespace sim::radio {
@@ -48,7 +49,7 @@ void Originator::end_exchange(const Exchange& exchange, hal::Verdict verdict, ha
 
 /// Gives up MPDUs whose time is over; the receiver is told.
 void Originator::discard_expired(MpduStream& stream, hal::Time now, EndedMsdus& ended) {
-  if (!config_.msdu_lifetime) return;
+  if (!lifetime_of(config_, stream.tid)) return;
   std::deque<Mpdu> left;
   for (Mpdu& mpdu : stream.in_flight) {
     if (is_expired(mpdu.msdus.front(), now)) {

@@ -19,6 +19,8 @@ class RetryCounters {
     const std::uint32_t limit = kind == Kind::kShort ? short_limit_ : long_limit_;
     return ++count >= limit;
   }
+  /// Whether the last attempt has failed.
+  bool is_counting() const { return short_ > 0 || long_ > 0; }
   void succeed(Kind kind) { (kind == Kind::kShort ? short_ : long_) = 0; }
   /// Resets both counters when the frame in service ends, however it ends, and after a group frame.
   void reset() { short_ = long_ = 0; }

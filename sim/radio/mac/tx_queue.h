@@ -43,6 +43,13 @@ class TxQueue {
     queue_.push_back({request, next_sequence_, request.header.since.value_or(now), 0});
     next_sequence_ = later(next_sequence_, 1);
   }
+  /// The same of a request that has been queued elsewhere, whatever the limit.
+  void put(Outgoing outgoing, hal::Time now) {
+    if (queue_.empty()) head_since_ = now;
+    outgoing.sequence = next_sequence_;
+    queue_.push_back(std::move(outgoing));
+    next_sequence_ = later(next_sequence_, 1);
+  }
   /// Puts a request of the MAC itself before all others, whatever the limit.
   void push_front(const MacRequest& request, hal::Time now) {
     head_since_ = now;

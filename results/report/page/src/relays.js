@@ -4,7 +4,7 @@ import { download, panel, plural, section, table, thousands } from "./page.js";
 import { duration } from "./times.js";
 
 const kVerdicts = ["delivered", "transmitted", "over the wire", "queue full", "retry limit", "no route", "expired",
-  "radio off", "waiting"];
+  "queue delay", "radio off", "waiting"];
 
 const came = (one) => sum(Object.values(one.verdicts));
 

@@ -129,6 +129,18 @@ class Tshark : public testing::TestWithParam<Profile> {
     return found.substr(0, found.find('\n'));
   }
 
+  /// ACI, AIFSN, CWmin, CWmax and TXOP limit in 32 us of the first frame of a subtype: beacons are
+  /// 8, association responses 1.
+  std::string edca_of(int subtype) const {
+    std::string command = "tshark -r '" + file_.string() +
+                          "' -T fields -Y wlan.fc.type_subtype==" + std::to_string(subtype);
+    for (const char* const field : {"aci", "aifsn", "cw.min", "cw.max", "txop_limit"}) {
+      command += std::string(" -e wlan.wfa.ie.wme.acp.") + field;
+    }
+    const std::string found = tests::output_of(command + " 2>/dev/null");
+    return found.substr(0, found.find('\n'));
+  }
+
   const fs::path file_ = fs::path(testing::TempDir()) / fmt::format("bss_{}.pcap", ::getpid());
 };
 
@@ -164,10 +176,15 @@ TEST_P(Tshark, ReadsEveryFrameOfTwoAccessPointsAsItIsMeant) {
   const std::map<Profile, std::string> elements{
       {Profile::kIeee80211b, "0,1,3,5\t"},
       {Profile::kIeee80211g, "0,1,3,5,42,50\t"},
-      {Profile::kIeee80211n, "0,1,3,5,42,50,45,61\t"},
-      {Profile::kIeee80211ac, "0,1,5,45,191,61,192\t"},
-      {Profile::kIeee80211ax, "0,1,5,45,191,255,61,192,255\t35,36"}};
+      {Profile::kIeee80211n, "0,1,3,5,42,50,12,45,61\t"},
+      {Profile::kIeee80211ac, "0,1,5,12,45,191,61,192\t"},
+      {Profile::kIeee80211ax, "0,1,5,12,45,191,255,61,192,255\t35,36"}};
   EXPECT_EQ(beacon_elements(), elements.at(GetParam()));
+  // IEEE Std 802.11-2020, table 9-155: video 4.096 ms, voice 2.080 ms.
+  const std::string edca = dcf_of(air.config)->qos
+                               ? "0,1,2,3\t3,7,2,2\t15,15,7,3\t1023,1023,15,7\t0,0,128,65"
+                               : "\t\t\t\t";
+  for (const int subtype : {8, 1}) EXPECT_EQ(edca_of(subtype), edca) << subtype;
 }
 
 /// What tshark reads of the HT Operation element in the last beacon of an access point of 40 MHz

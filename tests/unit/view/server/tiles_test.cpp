@@ -343,6 +343,19 @@ TEST_F(Tiles, TotalsOfAnAccessPointAreOfWhatItPassesOnToo) {
   EXPECT_TRUE(ask("totals/2")["relays"].empty());
 }
 
+TEST_F(Tiles, TotalsHaveTheQueuesOfReceivers) {
+  result.end(1'000'000'000);
+  result.execute(
+      "INSERT INTO station_queues VALUES (1, 3, 'BE', 9, 2, 7, 700, 1000), (1, 65535, 'VO', 3, 0, "
+      "1,"
+      " 100, 10); INSERT INTO station_queue_drops VALUES (1, 3, 'BE', 'queue delay', 5)");
+  EXPECT_EQ(ask("totals/1")["station_queues"], json({{"everyone VO: most", 1},
+                                                     {"everyone VO: waiting", 0},
+                                                     {"r0 BE: most", 7},
+                                                     {"r0 BE: queue delay", 5},
+                                                     {"r0 BE: waiting", 2}}));
+}
+
 TEST_F(Tiles, TheWorldHasWhatTheRecordKnows) {
   result.recorder->on_start({{AgentId{1}, AgentId{2}}});
   result.recorder->on_body(Time{1s}, AgentId{3}, {.x = -20, .y = 30});
