@@ -41,12 +41,12 @@ PsduSize finished(const PsduSize& size, const MpduStream& stream, const PhyMode&
   return {1, single_bits(mode, stream.in_flight.front().bits)};
 }
 
-bool belongs(const MpduStream& stream, const Outgoing& outgoing) {
+}  // namespace
+
+bool Aggregation::belongs(const MpduStream& stream, const Outgoing& outgoing) {
   return outgoing.request.destination == stream.to && outgoing.request.priority == stream.tid &&
          !outgoing.is_management();
 }
-
-}  // namespace
 
 std::uint32_t Aggregation::subframe_begin(std::uint32_t bits) {
   return padded(bits, kAlignmentBits);

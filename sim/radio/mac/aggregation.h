@@ -40,6 +40,9 @@ class Aggregation {
   PsduSize fill(MpduStream& stream, TxQueue& queue, const PpduLimits& limits, hal::Time now,
                 const std::function<bool()>& more = {}) const;
 
+  /// Whether an MSDU that waits is of this stream.
+  static bool belongs(const MpduStream& stream, const Outgoing& outgoing);
+
   /// Bits of a PSDU of `bits` with one more MPDU: delimiter, MPDU, and padding of what precedes
   /// (9.7.1).
   static std::uint32_t with_subframe(std::uint32_t bits, std::uint32_t mpdu_bits);

@@ -148,11 +148,20 @@ std::optional<Exchange> Originator::next(ContentionFunction number, hal::Time no
   return queues_ == nullptr ? std::nullopt : next_turn(number, now, budget, ended);
 }
 
-/// Whether the first stream goes on, whatever else waits: with queues of receivers only after a
-/// failure, as a driver repeats before it asks for more.
+/// Whether the first stream goes on, whatever else waits. What failed is repeated first. With
+/// queues of receivers, whose turn it is decides; else the order of arrival: an MPDU that was left
+/// over from the last PPDU, because it did not fit, has its place in the queue.
 bool Originator::is_in_service(const Function& function) const {
   if (function.streams.empty()) return false;
-  return queues_ == nullptr || function.streams.front()->must_ask || function.retries.is_counting();
+  const MpduStream& stream = *function.streams.front();
+  if (function.retries.is_counting()) return !function.had_head;
+  if (stream.must_ask) return true;
+  if (queues_ != nullptr) return false;
+  if (stream.in_flight.empty() || function.queue.is_empty()) return true;
+  const Mpdu& first = stream.in_flight.front();
+  const Outgoing& head = function.queue.head();
+  if (first.attempts > 0 || Aggregation::belongs(stream, head)) return true;
+  return !head.is_management() && first.msdus.front().queued <= head.queued;
 }
 
 /// @return whether anything of the stream is left to be sent.
@@ -193,6 +202,7 @@ hal::Duration Originator::response_airtime(const Exchange& exchange) const {
 
 std::optional<Exchange> Originator::head_exchange(ContentionFunction number, hal::Time now,
                                                   const Budget& budget) {
+  functions_[number].had_head = true;
   const Outgoing& head = functions_[number].queue.head();
   const MacRequest& request = head.request;
   Exchange exchange{.function = number, .to = request.destination};
@@ -210,6 +220,7 @@ std::optional<Exchange> Originator::head_exchange(ContentionFunction number, hal
 std::optional<Exchange> Originator::stream_exchange(ContentionFunction number, MpduStream& stream,
                                                     hal::Time now, const Budget& budget) {
   Function& function = functions_[number];
+  function.had_head = false;
   const std::uint32_t attempt = stream.in_flight.empty() ? 0 : stream.in_flight.front().attempts;
   Exchange exchange{.kind = Exchange::Kind::kAggregate,
                     .function = number,
@@ -238,6 +249,7 @@ std::optional<Exchange> Originator::stream_exchange(ContentionFunction number, M
 
 Exchange Originator::request_exchange(ContentionFunction number, MpduStream& stream,
                                       hal::Time now) {
+  functions_[number].had_head = false;
   const PhyMode& mode = modes_.response_to(rates_->reliable_mode(stream.to, now));
   return {.kind = Exchange::Kind::kBlockAckRequest,
           .function = number,

@@ -108,6 +108,7 @@ class Originator {
     TxQueue queue;
     RetryCounters retries;
     std::deque<MpduStream*> streams{};  ///< Those with MPDUs in flight; the first is served.
+    bool had_head = false;              ///< The last exchange was to send the head of the queue.
   };
   using StreamKey = std::pair<hal::AgentId, std::uint8_t>;
 

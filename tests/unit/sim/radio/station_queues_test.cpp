@@ -93,6 +93,30 @@ TEST_F(StationQueues, TellTheirRoom) {
   EXPECT_EQ(air.sap(1).room(), 10u);
 }
 
+// In the one queue of a radio requests are served in the order in which they came, but for those
+// that share an A-MPDU: 200 wait before the one to station 3, and a window may overtake it.
+TEST_F(StationQueues, AreOneByDefaultInWhichAStreamDoesNotKeepTheMedium) {
+  dcf().queues.per = QueuePer::kRadio;
+  air.build();
+  std::size_t to_2 = 0;
+  air.inbox(1).refill = [&] {
+    ++to_2;
+    send(2, 0, 1500, 0);
+  };
+  air.at(1ms, [this] {
+    for (int i = 0; i < 200; ++i) send(2, 0, 1500, 0);
+  });
+  std::size_t before = 0, after = 0;
+  air.at(101ms, [&] {
+    before = to_2;
+    send(3, 0, 1500, 1);
+  });
+  air.inbox(3).forward = [&](const MacIndication&) { after = to_2; };
+  air.run(1s);
+  EXPECT_GE(after, before + 190);
+  EXPECT_LE(after, before + 200 + 64);
+}
+
 // A full queue of one receiver leaves those of others alone.
 TEST_F(StationQueues, AreServedInTurn) {
   dcf().aggregation.max_ampdu = 0;
