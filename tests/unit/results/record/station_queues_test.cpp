@@ -41,13 +41,15 @@ class StationQueuesTest : public testing::Test {
     return query.next() ? query.text(0) : "none";
   }
   std::string row(const std::string& name) {
-    return ask("SELECT frames || ' ' || waiting || ' ' || most || ' ' || most_bytes || ' ' ||"
-               " waited_ns FROM station_queues WHERE agent = 4 AND receiver = 2 AND category = '" +
-               name + "'");
+    return ask(
+        "SELECT frames || ' ' || waiting || ' ' || most || ' ' || most_bytes || ' ' ||"
+        " waited_ns FROM station_queues WHERE agent = 4 AND receiver = 2 AND category = '" +
+        name + "'");
   }
   std::string drops() {
-    return ask("SELECT GROUP_CONCAT(verdict || ' ' || count, ', ') FROM (SELECT * FROM"
-               " station_queue_drops WHERE agent = 4 AND receiver = 2 ORDER BY verdict)");
+    return ask(
+        "SELECT GROUP_CONCAT(verdict || ' ' || count, ', ') FROM (SELECT * FROM"
+        " station_queue_drops WHERE agent = 4 AND receiver = 2 ORDER BY verdict)");
   }
 
   std::optional<AccessCategory> category = AccessCategory::kVoice;
