@@ -11,13 +11,14 @@
 
 namespace sim::radio::test {
 
-/// QoS stations on a circle round one receiver: some of best effort, whose queues are never
-/// empty, and some of voice, saturated or with a packet 1 / rate apart.
+/// QoS stations on a circle round one receiver: some of best effort and of video, whose queues are
+/// never empty, and some of voice, saturated or with a packet 1 / rate apart.
 struct QosCell {
   int best_effort = 1;
+  int video = 0;
   int voice = 0;
   double distance = 5;                     ///< Radius of the circle, m.
-  std::size_t payload_best_effort = 1500;  ///< Bytes of an MSDU without LLC/SNAP.
+  std::size_t payload_best_effort = 1500;  ///< Bytes of an MSDU without LLC/SNAP; also of video.
   std::size_t payload_voice = 1500;
   double voice_rate = 0;  ///< Packets a second; 0: saturated.
   hal::Duration warm_up = std::chrono::milliseconds{200};
@@ -36,7 +37,7 @@ struct Served {
 class QosRun {
  public:
   QosRun(Air& air, const QosCell& cell) : air_(air), cell_(cell) {
-    const int senders = cell.best_effort + cell.voice;
+    const int senders = cell.best_effort + cell.video + cell.voice;
     air.add({0, 0, 0});
     for (int i = 0; i < senders; ++i) {
       const double angle = 2 * hal::math::kPi * i / senders;
@@ -48,14 +49,26 @@ class QosRun {
     air.run(cell.warm_up + cell.time);
   }
 
-  Served best_effort() { return served(false); }
-  Served voice() { return served(true); }
+  Served best_effort() { return served(AccessCategory::kBestEffort); }
+  Served video() { return served(AccessCategory::kVideo); }
+  Served voice() { return served(AccessCategory::kVoice); }
 
  private:
-  static constexpr std::uint8_t kVoicePriority = 6;
-  static constexpr int kQueued = 200;
+  static constexpr int kQueued = 400;  // more than an A-MPDU of 64 A-MSDUs holds
 
-  bool is_voice(std::uint16_t station) const { return station >= cell_.best_effort + 2; }
+  AccessCategory category_of(std::uint16_t station) const {
+    const int index = station - 2;
+    if (index < cell_.best_effort) return AccessCategory::kBestEffort;
+    return index < cell_.best_effort + cell_.video ? AccessCategory::kVideo
+                                                   : AccessCategory::kVoice;
+  }
+  bool is_voice(std::uint16_t station) const {
+    return category_of(station) == AccessCategory::kVoice;
+  }
+  std::uint8_t priority_of(std::uint16_t station) const {
+    const AccessCategory category = category_of(station);
+    return category == AccessCategory::kVoice ? 6 : category == AccessCategory::kVideo ? 5 : 0;
+  }
 
   void start(std::uint16_t station, int index, int senders) {
     using namespace std::chrono_literals;
@@ -78,7 +91,7 @@ class QosRun {
     sent_.push_back(air_.events.now());
     air_.sap(station).transmit(
         {.destination = hal::AgentId{1},
-         .priority = voice ? kVoicePriority : std::uint8_t{0},
+         .priority = priority_of(station),
          .payload = marked(voice ? cell_.payload_voice : cell_.payload_best_effort),
          .tag = sent_.size()});
   }
@@ -95,17 +108,18 @@ class QosRun {
     std::size_t number = 0;
     for (std::size_t i = 0; i < 4; ++i) number |= std::size_t{(*one.payload)[i]} << 8 * i;
     const hal::Duration delay = air_.events.now() - sent_.at(number - 1);
-    delays_[is_voice(one.source.value)].push_back(hal::to_seconds(delay) * 1e3);
+    delays_[category_of(one.source.value)].push_back(hal::to_seconds(delay) * 1e3);
   }
 
-  Served served(bool voice) {
-    std::vector<double>& delays = delays_[voice];
+  Served served(AccessCategory category) {
+    std::vector<double>& delays = delays_[category];
     if (delays.empty()) return {};
     std::ranges::sort(delays);
     double sum = 0;
     for (const double delay : delays) sum += delay;
     const double count = static_cast<double>(delays.size());
-    const auto bytes = static_cast<double>(voice ? cell_.payload_voice : cell_.payload_best_effort);
+    const auto bytes = static_cast<double>(
+        category == AccessCategory::kVoice ? cell_.payload_voice : cell_.payload_best_effort);
     return {.mbps = count * bytes * 8e-6 / hal::to_seconds(cell_.time),
             .mean_delay = sum / count,
             .p95_delay = delays[delays.size() * 95 / 100],
@@ -115,7 +129,7 @@ class QosRun {
   Air& air_;
   QosCell cell_;
   std::vector<hal::Time> sent_;
-  std::map<bool, std::vector<double>> delays_;
+  std::map<AccessCategory, std::vector<double>> delays_;
 };
 
 }  // namespace sim::radio::test

@@ -5,12 +5,35 @@
 namespace sim::radio::test {
 namespace {
 
-/// 40 MHz in 5 GHz, the short guard interval, A-MSDU, 20 stations.
-class MoreHt : public testing::TestWithParam<PeerCell> {};
+using namespace std::chrono_literals;
 
-TEST_P(MoreHt, SaturatesAsThePeerDoes) { expect_goodput_of_the_peer(GetParam()); }
+bool is_single(const PeerCell& cell) {
+  return !cell.has_txop() && (cell.is_alone() || !cell.is_aggregate());
+}
+bool is_spread(const PeerCell& cell) {
+  return !cell.has_txop() && !cell.is_alone() && cell.is_aggregate();
+}
 
-INSTANTIATE_TEST_SUITE_P(Ns3, MoreHt, testing::ValuesIn(cells("ht_more_ns3.csv")),
+/// 802.11n in 40 MHz, with the short guard interval, A-MSDU, 20 stations; 802.11ac and ax in up to
+/// 80 MHz, with two streams and every guard interval.
+class Mcs : public testing::TestWithParam<PeerCell> {};
+
+TEST_P(Mcs, SaturatesAsThePeerDoes) { expect_goodput_of_the_peer(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(MoreHt, Mcs, testing::ValuesIn(cells("ht_more_ns3.csv", is_single)),
+                         [](const auto& c) { return name_of_cell(c.param.row); });
+INSTANTIATE_TEST_SUITE_P(VhtHe, Mcs, testing::ValuesIn(cells("vht_he_ns3.csv", is_single)),
+                         [](const auto& c) { return name_of_cell(c.param.row); });
+
+class AmpduCell : public testing::TestWithParam<PeerCell> {};
+
+TEST_P(AmpduCell, HasTheGoodputOfThePeer) { expect_interval_of_the_peer(GetParam(), 10s); }
+
+INSTANTIATE_TEST_SUITE_P(Ht, AmpduCell, testing::ValuesIn(cells("ht_ampdu_ns3.csv", is_spread)),
+                         [](const auto& c) { return name_of_cell(c.param.row); });
+INSTANTIATE_TEST_SUITE_P(MoreHt, AmpduCell, testing::ValuesIn(cells("ht_more_ns3.csv", is_spread)),
+                         [](const auto& c) { return name_of_cell(c.param.row); });
+INSTANTIATE_TEST_SUITE_P(VhtHe, AmpduCell, testing::ValuesIn(cells("vht_he_ns3.csv", is_spread)),
                          [](const auto& c) { return name_of_cell(c.param.row); });
 
 }  // namespace
