@@ -15,8 +15,8 @@ of HE. As the form assumes, frames are sent again (up to 255 times), and no EIFS
 802.11ax count slots as EDCA does. With AIFSN 2, which is DIFS, a backoff that is interrupted is a slot ahead of the DCF's, because the slot in which the medium
 becomes busy counts; with AIFSN 3 one that is not interrupted is a slot behind. *off*: by how much the form is not between the two; at most 2 %, of 50
 stations 3 %. With the DCF itself, which no file can choose here, `tests/slow/radio/bianchi_he_test.cpp` is within 2 % (MCS 0, 20 stations 2.4 %).
-The form does not say which guard interval and which rates of the ACK it had; 0.8 us and the highest of 6, 12 and 24 Mb/s by the frame's reference rate fit its
-rows of five stations."""
+The form does not say which guard interval and which rates of the ACK it had; 0.8 us and the highest of 6, 12 and 24 Mb/s by the frame's reference rate fit all
+its rows."""
 COLUMNS = ["MCS", "MHz", "n", "AIFSN 3", "Bianchi", "AIFSN 2", "off"]
 
 
