@@ -95,6 +95,7 @@ constexpr std::array kCallbacks{
     callback<OfRequestEnd, &Observer::on_request_end>("on_request_end"),
     callback<OfRelayLost, &Observer::on_relay_lost>("on_relay_lost"),
     callback<OfRelayQueued, &Observer::on_relay_queued>("on_relay_queued"),
+    callback<OfQueue, &Observer::on_queue>("on_queue"),
     callback<OfMsduEnd, &Observer::on_msdu_end>("on_msdu_end"),
     callback<OfAssociation, &Observer::on_association>("on_association"),
     callback<OfStart, &Observer::on_start>("on_start"),

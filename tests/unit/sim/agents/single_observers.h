@@ -93,6 +93,9 @@ struct OfRelayLost final : Heard {
 struct OfRelayQueued final : Heard {
   void on_relay_queued(Time at, const radio::Msdu& msdu) override { heard(at, msdu); }
 };
+struct OfQueue final : Heard {
+  void on_queue(Time at, const radio::QueueChange& change) override { heard(at, change); }
+};
 struct OfMsduEnd final : Heard {
   void on_msdu_end(Time at, const radio::Msdu& msdu, const radio::MsduEnd& end) override {
     heard(at, msdu, end);
