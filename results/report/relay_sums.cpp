@@ -6,15 +6,11 @@
 #include "hal/types/agent_id.h"
 
 namespace results::report {
-namespace {
-
 std::string name_of(const RunResult& run, int agent) {
   const auto found = std::ranges::find(run.agents, agent, &RunResult::Agent::agent);
   if (found != run.agents.end()) return found->name;
   return agent == hal::kEveryone.value ? "everyone" : std::to_string(agent);
 }
-
-}  // namespace
 
 std::uint64_t RelaySums::came() const {
   std::uint64_t sum = 0;

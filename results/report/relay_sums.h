@@ -23,6 +23,9 @@ struct RelaySums {
 /// Sums by access point and destination, in the order of their addresses.
 std::vector<RelaySums> relay_sums(const Group& group);
 
+/// Name of an agent of the run, "everyone", or the number of an agent that it does not know.
+std::string name_of(const RunResult& run, int agent);
+
 /// Numbers of lost samples over all runs of a group, by topic, verdict and the name of the agent
 /// whose frame or queue it was ("": unknown).
 using SampleLossSums = std::map<std::tuple<std::string, std::string, std::string>, std::uint64_t>;

@@ -55,7 +55,7 @@ std::vector<std::string> network_sections(const Group& group) {
   if (all || any_run(group, has_hops)) parts.push_back(hops_section(group));
   if (all || any_run(group, has_routed)) parts.push_back(routing_section(group));
   if (!all && !has_sent) parts.push_back(group.name + ": no frame was sent by radio\n");
-  for (const auto& section : {air_section, sample_losses_section, relays_section}) {
+  for (const auto& section : {air_section, sample_losses_section, relays_section, queues_section}) {
     parts.push_back(section(group));
   }
   std::erase(parts, "");

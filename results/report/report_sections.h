@@ -63,6 +63,9 @@ std::string air_section(const Group& group);
 /// Frames that access points relayed or could not relay, by destination; "" if there were none.
 std::string relays_section(const Group& group);
 
+/// Queues for receivers and access categories, and what they dropped; "" if there were none.
+std::string queues_section(const Group& group);
+
 /// Why and where samples of programs were lost; "" if all arrived.
 std::string sample_losses_section(const Group& group);
 

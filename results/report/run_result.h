@@ -91,6 +91,15 @@ struct RunResult {
     std::uint64_t queued = 0, most = 0;
     std::int64_t waited_ns = 0;
   };
+  /// A queue of an agent for one receiver and access category, see the tables `station_queues` and
+  /// `station_queue_drops`.
+  struct Queue {
+    int agent = 0, receiver = 0;
+    std::string category;
+    std::uint64_t frames = 0, waiting = 0, most = 0, most_bytes = 0;
+    std::int64_t waited_ns = 0;
+    std::map<std::string, std::uint64_t> drops{};  ///< By verdict.
+  };
   /// Summary of one named value of one agent: recorded by its controller, or an observable.
   struct Values {
     /// The agent's name; the value's name as in reports; its unit, "": none.
@@ -137,6 +146,7 @@ struct RunResult {
   std::vector<AirKind> air_kinds;      ///< Longest air time first; empty: no agent has a network.
   std::vector<AirSecond> air_seconds;  ///< Sorted by second.
   std::vector<Relay> relays;           ///< Sorted by access point and destination.
+  std::vector<Queue> queues{};         ///< By agent, receiver and category.
   std::vector<SampleLossCount> sample_losses;
   std::vector<Values> recorded;     ///< By controllers; sorted by name and agent.
   std::vector<Values> observables;  ///< Of `record: {observables: …}`; sorted by name and agent.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace results::report {
@@ -86,6 +87,37 @@ void read_relays(RunReader& reader, RunResult& run) {
   for (auto& [key, relay] : relays) run.relays.push_back(std::move(relay));
 }
 
+void read_queues(RunReader& reader, RunResult& run) {
+  std::map<std::tuple<int, int, std::string>, RunResult::Queue> queues;
+  const auto at = [&queues](const Statement& row) -> RunResult::Queue& {
+    const auto agent = static_cast<int>(row.integer(0));
+    const auto receiver = static_cast<int>(row.integer(1));
+    RunResult::Queue& queue = queues[{agent, receiver, row.text(2)}];
+    queue.agent = agent;
+    queue.receiver = receiver;
+    queue.category = row.text(2);
+    return queue;
+  };
+  Statement held = reader.query(
+      "SELECT agent, receiver, category, frames, waiting, most, most_bytes, waited_ns"
+      " FROM station_queues");
+  while (held.next()) {
+    RunResult::Queue& queue = at(held);
+    queue.frames = static_cast<std::uint64_t>(held.integer(3));
+    queue.waiting = static_cast<std::uint64_t>(held.integer(4));
+    queue.most = static_cast<std::uint64_t>(held.integer(5));
+    queue.most_bytes = static_cast<std::uint64_t>(held.integer(6));
+    queue.waited_ns = held.integer(7);
+  }
+  Statement drops =
+      reader.query("SELECT agent, receiver, category, verdict, count FROM station_queue_drops");
+  while (drops.next()) {
+    at(drops).drops[drops.text(3)] = static_cast<std::uint64_t>(drops.integer(4));
+  }
+  run.queues.reserve(queues.size());
+  for (auto& [key, queue] : queues) run.queues.push_back(std::move(queue));
+}
+
 void read_sample_losses(RunReader& reader, RunResult& run) {
   Statement losses = reader.query(
       "SELECT e.topic, l.verdict, l.agent, SUM(l.count) FROM sample_losses l"
@@ -104,6 +136,7 @@ void read_air_use(RunReader& reader, RunResult& run) {
   read_air_topics(reader, run);
   read_air(reader, run);
   read_relays(reader, run);
+  read_queues(reader, run);
   read_sample_losses(reader, run);
 }
 

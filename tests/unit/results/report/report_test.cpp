@@ -476,6 +476,18 @@ TEST_F(ReportTest, SaysWhatAccessPointsPassedOn) {
   EXPECT_EQ(printed.find("why samples"), std::string::npos);
 }
 
+TEST_F(ReportTest, SaysWhatWaitedInQueuesOfReceivers) {
+  add("a", run_sql("ieee80211g", 1) +
+               "INSERT INTO station_queues VALUES(1, 2, 'VO', 20, 3, 5, 700, 40000000);"
+               "INSERT INTO station_queue_drops VALUES(1, 2, 'VO', 'expired', 4),"
+               "(1, 65535, 'BE', 'queue full', 6);");
+  const std::string printed = text();
+  EXPECT_TRUE(std::regex_search(printed, std::regex("VO +20 +2.000 +5 +700 +3 +0 +0 +4 +0\n")))
+      << printed;
+  EXPECT_TRUE(std::regex_search(printed, std::regex("everyone +BE +0 +- +0 +0 +0 +6 +0 +0 +0\n")))
+      << printed;
+}
+
 TEST_F(ReportTest, IsSilentOfTheAirWhereNobodyHasANetwork) {
   add("a", run_sql("ieee80211g", 1));
   EXPECT_EQ(text().find("air time"), std::string::npos);
