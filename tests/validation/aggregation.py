@@ -12,7 +12,8 @@ TEXT = """Goodput in Mb/s of MAC payload of saturated senders on a circle (*m*: 
 1 s to 4 s, several senders of A-MPDUs to 11 s), best effort, without TXOPs, with 95 % intervals of the seeds. *A-MPDU* and *A-MSDU*: longest in bytes, 0: none;
 *loss*: share of MPDUs that the receiver drops after they have arrived. Tolerances: one sender 0.5 %; several, single MPDUs 1.5 %, but 2.5 % with 200 bytes and
 MCS 7, where an EIFS is as long as several frames (without any, 0.2 % off: `tests/analytic/radio/ht_cell.h`); A-MPDUs: the 95 % interval of the difference
-within 4 %, ten seeds on each side."""
+within 4 %, ten seeds on each side; of twenty senders of 802.11n at MCS 4 6 %: ten runs of 3 s of ns-3's spread that much. The window is 64 for ax, too, as in
+ns-3.37."""
 COLUMNS = ["", "GHz", "MHz", "guard, ns", "MCS", "streams", "m", "bytes", "A-MPDU", "A-MSDU", "loss", "n", "ours", "ns-3", "off"]
 KEYS = ("phy", "band_ghz", "width_mhz", "gi_ns", "mcs", "streams", "radius_m", "payload_be", "max_ampdu", "max_amsdu",
         "post_loss", "n_be")
@@ -67,7 +68,9 @@ def settings(row):
             **({"radio.loss.links": [{"from": "s*", "to": "sink", "probability": loss}]} if loss else {}),
             "agents.sources.circle.count": int(row["n_be"]),
             "agents.sources.controller.parameters.size": int(row["payload_be"]) - 7,
-            "agents.sources.controller.parameters.backlog": 200}
+            "radio.aggregation.block_ack_window": 64,  # also of ax
+            # As many as one A-MPDU of A-MSDUs can hold.
+            "agents.sources.controller.parameters.backlog": 450 if int(row["max_ampdu"]) > 65535 and row["max_amsdu"] != "0" else 200}
 
 
 def seeds_of(row):
@@ -79,7 +82,9 @@ def seeds_of(row):
 def tolerance(row):
     if row["n_be"] == "1":
         return 0.5
-    return 4 if is_spread(row) else 2.5 if (row["mcs"], row["payload_be"]) == ("7", "200") else 1.5
+    if is_spread(row):
+        return 6 if (row["phy"], row["mcs"], row["n_be"]) == ("n", "4", "20") else 4
+    return 2.5 if (row["mcs"], row["payload_be"]) == ("7", "200") else 1.5
 
 
 def told(values):
