@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fcntl.h>
+#include <linux/close_range.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,11 +12,13 @@
 #include <vector>
 
 /// A child process: this test program once more, in another role (main.cpp), or another program.
-/// Killed at the end.
+/// Killed at the end. It inherits the named descriptors only: what the others are bound to is free
+/// once this process closes them, though a child of the child may take longer to end.
 class Child {
  public:
   explicit Child(std::vector<std::string> arguments,
-                 const std::string& program = "/proc/self/exe") {
+                 const std::string& program = "/proc/self/exe",
+                 const std::vector<int>& inherited = {}) {
     arguments.insert(arguments.begin(), program);
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -23,6 +27,8 @@ class Child {
     if (pid_ < 0) throw std::runtime_error("fork failed");
     if (pid_ > 0) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
+    for (const int descriptor : inherited) fcntl(descriptor, F_SETFD, 0);
     execv(pointers[0], pointers.data());
     _exit(127);
   }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fcntl.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,14 +23,11 @@ class GuestChild {
 
  private:
   GuestChild(const gateway::domain::Invitation& invitation, std::vector<std::string> role)
-      : child_(arguments(invitation, std::move(role)), "/usr/bin/unshare") {
-    // The next child is to inherit its own ones only.
-    for (const int one : invitation.descriptors()) fcntl(one, F_SETFD, FD_CLOEXEC);
-  }
+      : child_(arguments(invitation, std::move(role)), "/usr/bin/unshare",
+               invitation.descriptors()) {}
 
   static std::vector<std::string> arguments(const gateway::domain::Invitation& invitation,
                                             std::vector<std::string> role) {
-    for (const int one : invitation.descriptors()) fcntl(one, F_SETFD, 0);
     const auto [name, value] = invitation.variable();
     const auto self = std::filesystem::read_symlink("/proc/self/exe").string();
     std::vector<std::string> arguments{
