@@ -129,7 +129,8 @@ async function main() {
     // What a run writes meanwhile is asked for again and again.
     if (source.asking === 0 || spares) {
       document.documentElement.dataset.drawn = String(drawn);
-      if (!dirty || spares) for (const resolve of afterDraw.splice(0)) resolve();
+      const isWhole = !dirty && !parts.some((part) => part.isLate);
+      if (isWhole || spares) for (const resolve of afterDraw.splice(0)) resolve();
     }
   };
   requestAnimationFrame(frame);

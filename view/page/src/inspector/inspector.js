@@ -44,7 +44,10 @@ export function inspector(element, store, source) {
   let shownLive = null;
   let at = -Infinity;
   let stale = false;
+  let late = false;
   return {
+    /** Something is still to be drawn, though nobody uses the panel. */
+    get isLate() { return late; },
     // What came too soon after the last picture is drawn a little later.
     animates: (now) => stale && now - at >= least,
     draw(now) {
@@ -55,6 +58,7 @@ export function inspector(element, store, source) {
       // Nothing is redrawn under a finger or a cursor that uses it.
       const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);
       stale = !same && (now - at < least || isUsed);
+      late = stale && !isUsed;
       const run = source.runs.find(({ index }) => index === (state.chosen?.run ?? state.run)) ?? source.runs[0];
       const liveKey = state.live && JSON.stringify([state.live.can_hold, state.live.paused, state.live.ended, state.live.gone, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen, isPresent(store, source)]);
       if (liveKey !== shownLive && !isUsed) {
