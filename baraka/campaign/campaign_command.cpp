@@ -45,27 +45,26 @@ std::string until_words(const CampaignFile& file) {
   return file.until ? fmt::format("{} s", hal::to_seconds(*file.until)) : "its end";
 }
 
-WantedRuns wanted_by(const CheckedCampaign& campaign, const CampaignOptions& options) {
+WantedRuns wanted_by(const CheckedCampaign& campaign, const fs::path& path) {
   const CampaignFile& file = campaign.file;
   const bool in_process = file.controllers == results::campaign::RunControllers::kInProcess;
-  WantedRuns wanted{
-      .values = {{"name", file.name},
-                 {"version", BARAKA_VERSION},
-                 {"scenario", file.scenario},
-                 {"design", std::string(name_of(file.design))},
-                 {"base_seed", std::to_string(campaign.seed)},
-                 {"replications", std::to_string(file.replications)},
-                 {"seeds", std::string(name_of(file.seeds))},
-                 {"until", until_words(file)},
-                 {"controllers", in_process ? "in-process" : "spawn"},
-                 {"programs", program_digests(campaign.controllers)},
-                 {"file", text_of(hal::files::config::named_file(options.file, {"campaigns"}))}},
-      .factors = campaign.table.factors,
-      .points = campaign.table.points,
-      .replications = file.replications,
-      .seeds = file.seeds,
-      .base_seed = campaign.seed,
-      .essence = sim::scenario::without_report_only};
+  WantedRuns wanted{.values = {{"name", file.name},
+                               {"version", BARAKA_VERSION},
+                               {"scenario", file.scenario},
+                               {"design", std::string(name_of(file.design))},
+                               {"base_seed", std::to_string(campaign.seed)},
+                               {"replications", std::to_string(file.replications)},
+                               {"seeds", std::string(name_of(file.seeds))},
+                               {"until", until_words(file)},
+                               {"controllers", in_process ? "in-process" : "spawn"},
+                               {"programs", program_digests(campaign.controllers)},
+                               {"file", text_of(path)}},
+                    .factors = campaign.table.factors,
+                    .points = campaign.table.points,
+                    .replications = file.replications,
+                    .seeds = file.seeds,
+                    .base_seed = campaign.seed,
+                    .essence = sim::scenario::without_report_only};
   if (file.samples > 0) wanted.values.emplace_back("sampled", std::to_string(file.samples));
   return wanted;
 }
@@ -186,7 +185,12 @@ int do_campaign(const CampaignFolder& folder, const EngineMaker& make_engine, Ca
 int run_campaign(const CampaignOptions& options) {
   if (options.status) return print_status(folder_of(options));
   if (options.cancel) return cancel_campaign(folder_of(options));
-  const CheckedCampaign campaign = check_campaign(options.file, options.overrides);
+  return run_checked(check_campaign(options.file, options.overrides),
+                     hal::files::config::named_file(options.file, {"campaigns"}), options);
+}
+
+int run_checked(const CheckedCampaign& campaign, const fs::path& file,
+                const CampaignOptions& options) {
   for (const std::string& warning : campaign.warnings) {
     hal::print_line(hal::Tone::kWarning, warning);
   }
@@ -196,7 +200,7 @@ int run_campaign(const CampaignOptions& options) {
       options.out.empty() ? fs::path("results") / campaign.file.name : fs::path(options.out);
   const CampaignFolder folder(
       out, {.layout = CampaignFolder::Layout::kCampaign, .overwrite = options.overwrite});
-  CampaignWork work{.wanted = wanted_by(campaign, options), .loop = {}};
+  CampaignWork work{.wanted = wanted_by(campaign, file), .loop = {}};
   work.loop.keep = campaign.file.keep;
   work.loop.retry_failed = options.retry_failed;
   work.loop.run_arguments = run_arguments(campaign.file);

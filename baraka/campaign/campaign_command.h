@@ -2,6 +2,7 @@
 
 #include "baraka/campaign/campaign_folder.h"
 #include "baraka/campaign/campaign_loop.h"
+#include "baraka/campaign/check_campaign.h"
 #include "baraka/campaign/engines.h"
 #include "baraka/run/run_command.h"
 #include "results/campaign/extension.h"
@@ -14,6 +15,10 @@ namespace baraka::campaign {
 ///   not meet an expectation, otherwise 0.
 /// @throws hal::files::config::ConfigErrors, UsageError, std::runtime_error
 int run_campaign(const CampaignOptions& options);
+
+/// The same for a campaign that is checked. @param file  whose text is kept in its database.
+int run_checked(const CheckedCampaign& campaign, const std::filesystem::path& file,
+                const CampaignOptions& options);
 
 /// The common part of `baraka campaign` and `baraka run --replications`: the wanted runs, and how
 /// to run them.

@@ -30,17 +30,6 @@ using results::campaign::PointRow;
 using results::campaign::RunControllers;
 using sim::scenario::Scenario;
 
-/// The scenario's file: beside the campaign file, otherwise in the folders of scenarios.
-fs::path scenario_file(const CampaignFile& campaign, const fs::path& file) {
-  const fs::path beside = file.parent_path() / campaign.scenario;
-  if (fs::exists(beside)) return beside.lexically_normal();
-  try {
-    return hal::files::config::named_file(campaign.scenario, {"scenarios"});
-  } catch (const ConfigErrors& e) {
-    throw ConfigErrors({fmt::format("{}: scenario: {}", campaign.scenario_place, e.what())});
-  }
-}
-
 std::uint64_t seed_in(const fs::path& scenario) {
   auto document = hal::files::config::Document::load(scenario);
   return static_cast<std::uint64_t>(document.root().integer(
@@ -120,10 +109,24 @@ std::vector<std::string> overrides_of(const DesignPoint& point, std::uint64_t se
 
 }  // namespace
 
+fs::path scenario_file(const CampaignFile& campaign, const fs::path& file) {
+  const fs::path beside = file.parent_path() / campaign.scenario;
+  if (fs::exists(beside)) return beside.lexically_normal();
+  try {
+    return hal::files::config::named_file(campaign.scenario, {"scenarios"});
+  } catch (const ConfigErrors& e) {
+    throw ConfigErrors({fmt::format("{}: scenario: {}", campaign.scenario_place, e.what())});
+  }
+}
+
 CheckedCampaign check_campaign(const std::string& path, const std::vector<std::string>& overrides) {
   const fs::path file = hal::files::config::named_file(path, {"campaigns"});
+  return check_points(results::campaign::load_campaign(file, overrides), file);
+}
+
+CheckedCampaign check_points(CampaignFile one_file, const fs::path& file) {
   CheckedCampaign campaign;
-  campaign.file = results::campaign::load_campaign(file, overrides);
+  campaign.file = std::move(one_file);
   const fs::path scenario = scenario_file(campaign.file, file);
   campaign.seed = campaign.file.seed ? *campaign.file.seed : seed_in(scenario);
   const std::vector<DesignPoint> points =

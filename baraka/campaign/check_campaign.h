@@ -28,4 +28,13 @@ struct CheckedCampaign {
 ///   mistake that all points share is reported once, at its place in the scenario.
 CheckedCampaign check_campaign(const std::string& path, const std::vector<std::string>& overrides);
 
+/// The same for a campaign that was made from another file, beside which its scenario may be.
+CheckedCampaign check_points(results::campaign::CampaignFile campaign,
+                             const std::filesystem::path& file);
+
+/// The scenario's file: beside `file`, otherwise in the folders of scenarios.
+/// @throws hal::files::config::ConfigErrors  there is none.
+std::filesystem::path scenario_file(const results::campaign::CampaignFile& campaign,
+                                    const std::filesystem::path& file);
+
 }  // namespace baraka::campaign

@@ -31,7 +31,7 @@ int check(const CheckOptions& options) {
   for (const std::string& file : options.files) {
     try {
       const std::string path = hal::files::config::named_file(
-          file, {"scenarios", "campaigns", "robots", "radios", "hardware"});
+          file, {"scenarios", "campaigns", "fleets", "robots", "radios", "hardware"});
       const FileKind& kind = wanted != nullptr ? *wanted : recognised(path, options.overrides);
       with_includes_of(kind.name, path, options.overrides, [&] {
         kind.check(path, options.overrides, options.mode);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "baraka/campaign/check_campaign.h"
+#include "baraka/fleet/fleet_command.h"
 #include "baraka/run/check/check_scenario.h"
 #include "gateway/server/kind_of_file.h"
 #include "hal/files/config/document.h"
@@ -15,6 +16,7 @@
 #include "hal/files/description/key_describer.h"
 #include "hal/robot/agent/robot_file.h"
 #include "hal/types/terminal_colours.h"
+#include "results/fleet/fleet_file.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/scenario.h"
 
@@ -39,6 +41,10 @@ void tell(const std::vector<std::string>& warnings) {
 void check_campaign(const std::string& path, const Overrides& overrides,
                     const run::check::RunMode&) {
   tell(campaign::check_campaign(path, overrides).warnings);
+}
+
+void check_fleet(const std::string& path, const Overrides& overrides, const run::check::RunMode&) {
+  tell(fleet::check_fleet(path, overrides));
 }
 
 void check_hardware(const std::string& path, const Overrides& overrides,
@@ -100,6 +106,21 @@ vary:
 keep: failed
 )";
 
+constexpr const char* kFleet = R"(version: 1
+name: warehouse
+scenario: fleet_on_an_access_point
+robots: {group: robots, from: 2, to: 12, step: 2}
+radios:
+  g: {radio: {include: radios/ieee80211g.yaml, bss: {access_point: ap}}}
+  ac: {radio: {include: radios/ieee80211ac.yaml, bss: {access_point: ap}}}
+profiles:
+  default: {vendor: cyclonedds}
+  one_frame: {vendor: cyclonedds, file: cyclone_one_frame.xml}
+need:
+  - {topic: "*/scan", delivered: 99 %, p95: 50 ms}
+  - {topic: "*/cmd_vel", delivered: 99.9 %, age: 200 ms}
+)";
+
 constexpr const char* kHardware = R"(version: 1
 agent: {name: r0, address: 26, kind: robot}
 controller: {program: help_robot, parameters: {speed: 0.5 m/s}}
@@ -155,6 +176,9 @@ const std::vector<FileKind>& file_kinds() {
        "What `baraka campaign` runs: a scenario many times, over the values of its keys.",
        gateway::server::use_of("campaign"), kCampaign, check_campaign,
        describe<results::campaign::CampaignFile>},
+      {"fleet",
+       "What `baraka fleet` answers: with how many robots the topics of a fleet still arrive.",
+       gateway::server::use_of("fleet"), kFleet, check_fleet, describe<results::fleet::FleetFile>},
       {"hardware", "A real robot or mote: what `baraka-agentd` drives.",
        gateway::server::use_of("hardware"), kHardware, check_hardware,
        describe<hal::robot::agent::RobotFile>},

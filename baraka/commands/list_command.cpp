@@ -107,7 +107,7 @@ void list_controllers() {
 }  // namespace
 
 const std::vector<std::string>& listed_kinds() {
-  static const std::vector<std::string> kinds{"scenarios", "campaigns", "robots",
+  static const std::vector<std::string> kinds{"scenarios", "campaigns", "fleets",    "robots",
                                               "radios",    "hardware",  kControllers};
   return kinds;
 }

@@ -18,6 +18,7 @@
 #include "baraka/commands/topic_domain.h"
 #include "baraka/commands/view_command.h"
 #include "baraka/commands/wrong_kind.h"
+#include "baraka/fleet/fleet_command.h"
 #include "baraka/main/run_options.h"
 #include "baraka/run/run_command.h"
 #include "gateway/process/command_line.h"
@@ -65,7 +66,8 @@ void add_new_controller(CLI::App& app, baraka::commands::NewControllerOptions& o
 
 void add_check(CLI::App& app, baraka::commands::CheckOptions& options) {
   CLI::App* check = app.add_subcommand(
-      "check", "Find every mistake in scenario, campaign, hardware, robot, mote or radio files");
+      "check",
+      "Find every mistake in scenario, campaign, fleet, hardware, robot, mote or radio files");
   check->add_option("FILE", options.files, "Files")->required();
   check->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
@@ -219,7 +221,7 @@ struct Asked {
   baraka::run::RunOptions run;
   std::string seed;
   std::string listed;
-  baraka::campaign::CampaignOptions campaign;
+  baraka::campaign::CampaignOptions campaign, fleet;
   baraka::commands::CheckOptions check;
   DescribeOptions describe;
   baraka::commands::ReportOptions report;
@@ -238,6 +240,11 @@ int act(const CLI::App& app, Asked& asked) {
     return baraka::commands::with_file_of(
         "campaign", {asked.campaign.file, {"campaigns"}, asked.campaign.overrides},
         [&] { return baraka::campaign::run_campaign(asked.campaign); });
+  }
+  if (app.got_subcommand("fleet")) {
+    return baraka::commands::with_file_of("fleet",
+                                          {asked.fleet.file, {"fleets"}, asked.fleet.overrides},
+                                          [&] { return baraka::fleet::run_fleet(asked.fleet); });
   }
   if (app.got_subcommand("check")) return baraka::commands::check(asked.check);
   if (app.got_subcommand("describe")) return asked.describe.act();
@@ -267,6 +274,7 @@ int command(int argc, char** argv) {
   Asked asked;
   baraka::main::add_run(app, asked.run, asked.seed);
   baraka::main::add_campaign(app, asked.campaign);
+  baraka::main::add_fleet(app, asked.fleet);
   add_check(app, asked.check);
   add_describe(app, asked.describe);
   add_list(app, asked.listed);

@@ -72,6 +72,28 @@ CLI::Option* add_live_view(CLI::App* run, baraka::run::live::LiveViewOptions& vi
   return shown;
 }
 
+/// @param what  "campaign" or "fleet".
+void add_campaign_options(CLI::App* command, baraka::campaign::CampaignOptions& options,
+                          const std::string& what) {
+  command->add_option("FILE", options.file, fmt::format("File of the {}", what))->required();
+  command->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  command->add_flag("--overwrite", options.overwrite,
+                    "Remove an earlier result of a single run there");
+  command
+      ->add_option("--jobs", options.jobs,
+                   "Runs at a time; default: as the file says, else one for each processor")
+      ->transform(whole_number(1, kMostJobs));
+  command->add_option("--set", options.overrides, fmt::format("KEY=VALUE of the {} file", what))
+      ->allow_extra_args(false);
+  command
+      ->add_option("--engine", options.engine,
+                   "Where runs execute: local (default); slurm: the nodes of a cluster")
+      ->transform(gateway::process::one_of({"local", "slurm"}));
+  command->add_flag("--cancel", options.cancel, "Only cancel its jobs in Slurm");
+  command->add_flag("--retry-failed", options.retry_failed, "Repeat the runs that failed");
+  command->add_flag("--status", options.status, "Only show its progress");
+}
+
 }  // namespace
 
 void add_controllers(CLI::App& command, ControllersFrom& controllers, const std::string& of_what) {
@@ -128,23 +150,15 @@ void add_campaign(CLI::App& app, baraka::campaign::CampaignOptions& options) {
   CLI::App* campaign = app.add_subcommand(
       "campaign",
       "Run a scenario many times, over the values of its keys; continues where it ended");
-  campaign->add_option("FILE", options.file, "Campaign file")->required();
-  campaign->add_option("--out", options.out, "Folder for the results; default: results/<name>");
-  campaign->add_flag("--overwrite", options.overwrite,
-                     "Remove an earlier result of a single run there");
-  campaign
-      ->add_option("--jobs", options.jobs,
-                   "Runs at a time; default: as the file says, else one for each processor")
-      ->transform(whole_number(1, kMostJobs));
-  campaign->add_option("--set", options.overrides, "KEY=VALUE of the campaign file")
-      ->allow_extra_args(false);
-  campaign
-      ->add_option("--engine", options.engine,
-                   "Where runs execute: local (default); slurm: the nodes of a cluster")
-      ->transform(gateway::process::one_of({"local", "slurm"}));
-  campaign->add_flag("--cancel", options.cancel, "Only cancel its jobs in Slurm");
-  campaign->add_flag("--retry-failed", options.retry_failed, "Repeat the runs that failed");
-  campaign->add_flag("--status", options.status, "Only show its progress");
+  add_campaign_options(campaign, options, "campaign");
+}
+
+void add_fleet(CLI::App& app, baraka::campaign::CampaignOptions& options) {
+  CLI::App* fleet = app.add_subcommand(
+      "fleet",
+      "Find with how many robots the topics of a fleet still arrive, and what breaks first; "
+      "continues where it ended");
+  add_campaign_options(fleet, options, "fleet");
 }
 
 }  // namespace baraka::main

@@ -16,5 +16,6 @@ void add_controllers(CLI::App& command, run::controllers::ControllersFrom& contr
 
 void add_run(CLI::App& app, run::RunOptions& options, std::string& seed);
 void add_campaign(CLI::App& app, campaign::CampaignOptions& options);
+void add_fleet(CLI::App& app, campaign::CampaignOptions& options);
 
 }  // namespace baraka::main

@@ -27,6 +27,7 @@ struct Words {
 const std::vector<Words>& words() {
   static const std::vector<Words> rows = {
       {"hardware", "`baraka-agentd FILE` serves it", {"agent"}},
+      {"fleet", "`baraka fleet FILE` runs it", {"need"}},
       {"campaign", "`baraka campaign FILE` runs it", {"vary", "scenario"}},
       {"scenario", "`baraka run FILE` runs it", {"agents", "end"}},
       {"radio", "scenarios include it: radio: {include: FILE}", {"profile"}},

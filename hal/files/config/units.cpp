@@ -16,6 +16,7 @@ using enum Dimension;
 /// are usual in radio and robotics.
 constexpr std::array kUnits = {
     Unit{"1", kNumber},
+    Unit{"%", kNumber, 1, 1e2},
     Unit{"s", kTime},
     Unit{"ms", kTime, 1, 1e3},
     Unit{"us", kTime, 1, 1e6},

@@ -53,6 +53,7 @@ std::optional<Parts> split(std::string_view text) {
 Result<double> in_unit(std::string_view text, const Parts& parts, const Unit& wanted) {
   if (wanted.dimension == Dimension::kNumber) {
     if (parts.unit.empty()) return parts.number;
+    if (parts.unit == "%") return converted(parts.number, *find_unit("%"), wanted);
     return wrong(fmt::format("'{}' must be a plain number, without a unit", text));
   }
   const Unit* given = find_unit(parts.unit);

@@ -1,0 +1,119 @@
+#include "results/fleet/fleet_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "hal/files/config/document.h"
+#include "hal/files/config/errors.h"
+
+namespace results::fleet {
+namespace {
+
+using campaign::DesignPoint;
+using campaign::FactorValue;
+using hal::files::config::ConfigErrors;
+using hal::files::config::Mapping;
+
+/// Ways of placing a group that have a `count`.
+constexpr std::array kLayouts = {"circle", "line", "uniform"};
+
+FactorValue value(const std::string& key, const std::string& text, const std::string& place) {
+  return {key, text, text, place};
+}
+
+/// Later values of a key replace earlier ones.
+void set(DesignPoint& point, const FactorValue& value) {
+  const auto found = std::ranges::find(point, value.key, &FactorValue::key);
+  if (found == point.end()) {
+    point.push_back(value);
+  } else {
+    *found = value;
+  }
+}
+
+/// DDS of the players and programs in all agents with a network.
+void set_profile(DesignPoint& point, const Variant& profile, const FleetScenario& scenario) {
+  for (const std::string& group : scenario.on_air) {
+    const std::string key = fmt::format("agents.{}.dds.", group);
+    if (!profile.vendor.empty()) set(point, value(key + "vendor", profile.vendor, ""));
+    if (profile.xml) {
+      set(point, value(key + "profile", fmt::format("'{}'", profile.xml->string()), ""));
+    }
+  }
+  for (const FactorValue& one : profile.values) set(point, one);
+}
+
+DesignPoint point_of(const FleetFile& fleet, const FleetScenario& scenario, const Case& one) {
+  DesignPoint point;
+  const std::string count = fmt::format("agents.{}.{}.count", fleet.group, scenario.layout);
+  set(point, value(count, std::to_string(one.robots), fleet.scenario_place));
+  for (const FactorValue& each : fleet.set) set(point, each);
+  for (const FactorValue& each : fleet.radios[one.radio].values) set(point, each);
+  for (const FactorValue& each : fleet.sites[one.site].values) set(point, each);
+  set_profile(point, fleet.profiles[one.profile], scenario);
+  set(point, value("record.samples", "all", ""));
+  return point;
+}
+
+}  // namespace
+
+FleetScenario fleet_scenario(const std::filesystem::path& file, const FleetFile& fleet) {
+  auto document = hal::files::config::Document::load(file);
+  Mapping agents = document.root().mapping({"agents", "Groups of agents.", "{}"});
+  FleetScenario scenario;
+  for (const std::string& group : agents.keys()) {
+    Mapping in = agents.mapping({group, "A group.", "{}"});
+    if (in.has("network")) scenario.on_air.push_back(group);
+    if (group != fleet.group) continue;
+    for (const char* const layout : kLayouts) {
+      if (in.has(layout)) scenario.layout = layout;
+    }
+    if (scenario.layout.empty()) {
+      throw ConfigErrors({fmt::format(
+          "{}: is placed one by one or on a grid; a fleet's group is placed by circle, line or "
+          "uniform, whose `count` varies",
+          in.place())});
+    }
+  }
+  if (scenario.layout.empty()) {
+    throw ConfigErrors(
+        {fmt::format("{}: robots.group: {} has no group '{}', only {}", fleet.scenario_place,
+                     file.string(), fleet.group, fmt::join(agents.keys(), ", "))});
+  }
+  return scenario;
+}
+
+FleetPlan plan_of(const FleetFile& fleet, const FleetScenario& scenario) {
+  FleetPlan plan;
+  campaign::CampaignFile& campaign = plan.campaign;
+  campaign.name = fleet.name;
+  campaign.scenario = fleet.scenario;
+  campaign.scenario_place = fleet.scenario_place;
+  campaign.replications = fleet.replications;
+  campaign.seed = fleet.seed;
+  campaign.until = fleet.until;
+  campaign.keep = campaign::Keep::kAll;
+  campaign.jobs = fleet.jobs;
+  campaign.slurm = fleet.slurm;
+  campaign.design = campaign::Design::kList;
+  for (std::size_t radio = 0; radio < fleet.radios.size(); ++radio) {
+    for (std::size_t site = 0; site < fleet.sites.size(); ++site) {
+      for (std::size_t profile = 0; profile < fleet.profiles.size(); ++profile) {
+        for (const int robots : fleet.robots) {
+          plan.cases.push_back({radio, site, profile, robots});
+          campaign.points.push_back(point_of(fleet, scenario, plan.cases.back()));
+          for (const FactorValue& one : campaign.points.back()) {
+            if (std::ranges::find(campaign.keys, one.key) == campaign.keys.end()) {
+              campaign.keys.push_back(one.key);
+            }
+          }
+        }
+      }
+    }
+  }
+  return plan;
+}
+
+}  // namespace results::fleet

@@ -1,0 +1,166 @@
+#include "results/fleet/fleet_run.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "hal/types/pattern.h"
+#include "results/record/run_reader.h"
+
+namespace results::fleet {
+namespace {
+
+using record::RunReader;
+using record::Statement;
+
+using AgentNames = std::map<std::int64_t, std::string>;
+
+AgentNames agent_names(RunReader& reader) {
+  AgentNames names;
+  Statement agents = reader.query("SELECT agent, name FROM agents");
+  while (agents.next()) names[agents.integer(0)] = agents.text(1);
+  return names;
+}
+
+std::string name_at(const AgentNames& names, std::int64_t agent) {
+  const auto found = names.find(agent);
+  return found == names.end() ? "" : found->second;
+}
+
+/// By topic, writing and reading agent; several writers of an agent on one topic are one.
+using PairKey = std::tuple<std::string, std::string, std::string>;
+using Pairs = std::map<PairKey, Pair>;
+
+/// The pairs that were announced on the air, without samples.
+Pairs announced_pairs(RunReader& reader, const AgentNames& names) {
+  Pairs pairs;
+  Statement found = reader.query(
+      "SELECT w.topic, w.agent, r.agent FROM dds_endpoints w JOIN dds_endpoints r "
+      "ON r.topic = w.topic AND r.type = w.type AND r.agent <> w.agent "
+      "WHERE w.kind = 'writer' AND r.kind = 'reader'");
+  while (found.next()) {
+    Pair pair{found.text(0), name_at(names, found.integer(1)), name_at(names, found.integer(2))};
+    PairKey key{pair.topic, pair.writer, pair.reader};
+    pairs.emplace(std::move(key), std::move(pair));
+  }
+  return pairs;
+}
+
+SampleFate fate_in(const Statement& row, const AgentNames& names) {
+  SampleFate fate{.entered = hal::time_from_ns(row.integer(3))};
+  if (!row.is_null(4)) fate.left = hal::time_from_ns(row.integer(4));
+  fate.is_repaired = row.integer(5) != 0;
+  fate.verdict = row.text(6);
+  if (!row.is_null(7)) fate.lost_at = name_at(names, row.integer(7));
+  return fate;
+}
+
+Pairs pairs_of(RunReader& reader, const AgentNames& names) {
+  Pairs pairs = announced_pairs(reader, names);
+  Statement samples = reader.query(
+      "SELECT e.topic, e.agent, s.receiver, s.entered_ns, s.left_ns, s.repaired, s.verdict, "
+      "s.lost_at FROM samples s JOIN dds_endpoints e ON e.guid = s.writer "
+      "WHERE e.agent IS NOT NULL ORDER BY s.entered_ns");
+  while (samples.next()) {
+    const PairKey key{samples.text(0), name_at(names, samples.integer(1)),
+                      name_at(names, samples.integer(2))};
+    Pair& pair = pairs[key];
+    std::tie(pair.topic, pair.writer, pair.reader) = key;
+    pair.samples.push_back(fate_in(samples, names));
+  }
+  return pairs;
+}
+
+/// What a transmission that is not of a topic is for.
+std::string use_of(const std::string& purpose, const std::string& kind) {
+  if (purpose == "SPDP" || purpose == "SEDP") return "discovery";
+  if (purpose == "liveliness" || purpose == "builtin" || purpose == "RTPS") return "DDS, other";
+  if (purpose == "802.11") return kind == "ack" || kind == "block ack" ? "802.11 acks" : "802.11";
+  return purpose;
+}
+
+void read_air(RunReader& reader, const std::vector<std::string>& agents, FleetRun& run) {
+  Statement air = reader.query("SELECT purpose, kind, topic, airtime_ns FROM air_accounts");
+  while (air.next()) {
+    const bool is_sample = air.text(1) == "DATA" || air.text(1) == "DATA_FRAG";
+    std::string what = use_of(air.text(0), air.text(1));
+    if (air.text(0) == "user") {
+      what = air.is_null(2) ? "topics not announced" : group_of(air.text(2), agents);
+      if (!is_sample) what = "DDS heartbeats and acks";
+    }
+    run.air[what] += 1e-9 * static_cast<double>(air.integer(3)) / run.simulated_s;
+  }
+}
+
+void read_use(RunReader& reader, const AgentNames& names, FleetRun& run) {
+  Statement use = reader.query("SELECT agent, transmitting_ns + receiving_ns FROM agent_use");
+  while (use.next()) {
+    const double busy = 1e-9 * static_cast<double>(use.integer(1)) / run.simulated_s;
+    if (busy <= run.busy) continue;
+    run.busy = busy;
+    run.busiest = name_at(names, use.integer(0));
+  }
+}
+
+/// Counts handovers, and stations without any access point.
+void read_associations(RunReader& reader, FleetRun& run) {
+  std::map<std::int64_t, std::set<std::int64_t>> with;
+  std::map<std::int64_t, std::int64_t> last;
+  Statement found =
+      reader.query("SELECT station, access_point FROM associations ORDER BY at_ns, rowid");
+  while (found.next()) {
+    const std::int64_t station = found.integer(0);
+    with.try_emplace(station);
+    if (found.is_null(1)) continue;
+    const std::int64_t point = found.integer(1);
+    with[station].insert(point);
+    const auto [before, is_first] = last.try_emplace(station, point);
+    if (!is_first && before->second != point) ++run.handovers;
+    before->second = point;
+  }
+  for (const auto& [station, points] : with) run.unassociated += points.empty() ? 1 : 0;
+}
+
+}  // namespace
+
+std::string group_of(const std::string& topic, const std::vector<std::string>& agents) {
+  std::string group;
+  for (std::size_t at = 0; at <= topic.size();) {
+    const std::size_t end = std::min(topic.find('/', at), topic.size());
+    const std::string part = topic.substr(at, end - at);
+    const bool is_agent = std::ranges::find(agents, part) != agents.end();
+    group.append(at == 0 ? "" : "/").append(is_agent ? "*" : part);
+    at = end + 1;
+  }
+  return group;
+}
+
+FleetRun read_fleet_run(const std::filesystem::path& folder, const FleetFile& fleet) {
+  RunReader reader(folder);
+  FleetRun run;
+  run.simulated_s = reader.real("simulated_s").value_or(0);
+  run.wall_s = reader.real("wall_s").value_or(0);
+  const AgentNames names = agent_names(reader);
+  std::vector<std::string> agents;
+  for (const auto& [agent, name] : names) agents.push_back(name);
+  const Pairs pairs = pairs_of(reader, names);
+  const Window window{hal::Time{fleet.warm_up}, hal::Time{hal::from_seconds(run.simulated_s)}};
+  std::map<std::string, std::vector<const Pair*>> groups;
+  for (const auto& [key, pair] : pairs) groups[group_of(pair.topic, agents)].push_back(&pair);
+  for (const auto& [group, some] : groups) run.topics[group] = measure(some, window);
+  for (const Need& need : fleet.needs) {
+    std::vector<const Pair*> some;
+    for (const auto& [key, pair] : pairs) {
+      if (hal::matches(need.topic, pair.topic) && hal::matches(need.readers, pair.reader)) {
+        some.push_back(&pair);
+      }
+    }
+    run.needs.push_back(measure(some, window));
+  }
+  read_air(reader, agents, run);
+  read_use(reader, names, run);
+  read_associations(reader, run);
+  return run;
+}
+
+}  // namespace results::fleet

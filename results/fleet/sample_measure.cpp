@@ -1,0 +1,113 @@
+#include "results/fleet/sample_measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "results/statistics/quantile.h"
+
+namespace results::fleet {
+namespace {
+
+/// A stretch of time in which an age grows from one value to another, at 1 s/s.
+struct Growth {
+  double from = 0, to = 0;  ///< s
+};
+
+/// Appends how the age of a pair grew within the window.
+void add_growth(const Pair& pair, const Window& window, std::vector<Growth>& growth) {
+  std::vector<const SampleFate*> arrivals;
+  for (const SampleFate& one : pair.samples) {
+    if (one.left) arrivals.push_back(&one);
+  }
+  std::ranges::stable_sort(arrivals, {}, [](const SampleFate* one) { return *one->left; });
+  hal::Time newest{};  // the start of the run, until something has come
+  hal::Time since = window.from;
+  const auto grow = [&](hal::Time to) {
+    if (to <= since) return;
+    growth.push_back({hal::to_seconds(since - newest), hal::to_seconds(to - newest)});
+    since = to;
+  };
+  for (const SampleFate* one : arrivals) {
+    grow(std::min(*one->left, window.until));
+    newest = std::max(newest, one->entered);
+  }
+  grow(window.until);
+}
+
+/// The age that is not exceeded in this share of the time, by bisection to a microsecond.
+double age_quantile(const std::vector<Growth>& growth, double share) {
+  constexpr double kResolution = 1e-6;  // s
+  double total = 0;
+  double high = 0;
+  for (const Growth& one : growth) {
+    total += one.to - one.from;
+    high = std::max(high, one.to);
+  }
+  double low = 0;
+  while (high - low > kResolution) {
+    const double middle = 0.5 * (low + high);
+    double below = 0;
+    for (const Growth& one : growth) {
+      below += std::clamp(middle - one.from, 0.0, one.to - one.from);
+    }
+    (below >= share * total ? high : low) = middle;
+  }
+  return high;
+}
+
+void count(const SampleFate& sample, SampleMeasure& sums) {
+  if (!sample.left && sample.verdict.empty()) return;  // under way
+  ++sums.samples;
+  if (!sample.left) {
+    ++sums.lost[sample.lost_at.empty() ? sample.verdict
+                                       : fmt::format("{} at {}", sample.verdict, sample.lost_at)];
+    return;
+  }
+  ++sums.delivered;
+  ++(sample.is_repaired ? sums.repaired : sums.first_try);
+  sums.latencies.push_back(hal::to_seconds(*sample.left - sample.entered));
+}
+
+/// When its first sample arrived; nullopt: never.
+std::optional<hal::Time> first_arrival(const Pair& pair) {
+  std::optional<hal::Time> first;
+  for (const SampleFate& one : pair.samples) {
+    if (one.left && (!first || *one.left < *first)) first = one.left;
+  }
+  return first;
+}
+
+}  // namespace
+
+std::optional<double> SampleMeasure::delivered_share() const {
+  if (samples == 0) return std::nullopt;
+  return static_cast<double>(delivered) / static_cast<double>(samples);
+}
+
+std::optional<double> SampleMeasure::latency(double p) const {
+  if (latencies.empty()) return std::nullopt;
+  return statistics::quantile_of_sorted(latencies, p);
+}
+
+SampleMeasure measure(const std::vector<const Pair*>& pairs, const Window& window) {
+  SampleMeasure sums;
+  std::vector<Growth> growth;
+  std::optional<hal::Time> last;
+  for (const Pair* pair : pairs) {
+    ++sums.pairs;
+    const auto first = first_arrival(*pair);
+    if (!first) ++sums.silent;
+    if (first && (!last || *first > *last)) last = first;
+    for (const SampleFate& sample : pair->samples) {
+      if (sample.entered >= window.from && sample.entered < window.until) count(sample, sums);
+    }
+    add_growth(*pair, window, growth);
+  }
+  std::ranges::sort(sums.latencies);
+  if (!growth.empty()) sums.age95 = age_quantile(growth, 0.95);
+  if (sums.silent == 0 && last) sums.discovered = hal::to_seconds(*last);
+  return sums;
+}
+
+}  // namespace results::fleet
