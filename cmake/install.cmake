@@ -1,6 +1,6 @@
 # What `cmake --install` installs, below one prefix, and which Debian package it goes to:
 #   program (baraka)
-#     bin             baraka, the controllers
+#     bin             baraka, the controllers, the players of `topics:`
 #     lib/baraka      plug-ins of the controllers, what slows programs and what holds their networks
 #     share/baraka    robots, radios, scenarios, campaigns, hardware, viewers; templates of `baraka new-controller`;
 #                     IDL; the pages of the report and of the view, if they were built
@@ -32,6 +32,7 @@ endforeach()
 install(TARGETS baraka EXPORT baraka RUNTIME DESTINATION bin COMPONENT program)
 install(TARGETS baraka_dilate baraka_lockstep LIBRARY DESTINATION lib/baraka COMPONENT program)
 install(TARGETS baraka-holder RUNTIME DESTINATION lib/baraka COMPONENT program)
+install(TARGETS baraka-topics-cyclonedds baraka-topics-fastdds RUNTIME DESTINATION bin COMPONENT program)
 install(TARGETS ${controller_names} RUNTIME DESTINATION bin COMPONENT program)
 foreach(name IN LISTS controller_names)
   install(TARGETS ${name}_plugin LIBRARY DESTINATION lib/baraka COMPONENT program)

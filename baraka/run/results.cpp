@@ -25,6 +25,7 @@
 #include "sim/core/log_sink.h"
 #include "sim/scenario/plan.h"
 #include "sim/scenario/resolved.h"
+#include "sim/scenario/topic_parts.h"
 
 namespace baraka::run {
 namespace {
@@ -51,7 +52,12 @@ std::vector<std::string> files_of(const Scenario& scenario) {
   for (const auto& plan : sim::scenario::plan_processes(scenario)) {
     files.insert(plan.process + ".log");
   }
-  for (const auto& program : sim::scenario::plan_programs(scenario)) files.insert(program.log);
+  for (const auto& program : sim::scenario::plan_programs(scenario)) {
+    files.insert(program.log);
+    if (!program.program->is_shipped) continue;
+    files.insert(sim::scenario::topic_plan_file(program.agent_name));
+    files.insert(sim::scenario::topic_journal_file(program.agent_name));
+  }
   if (network::has_network(scenario)) files.insert(programs::netns::kStateFile);
   if (!scenario.record.air.empty()) files.insert(scenario.record.air);
   return {files.begin(), files.end()};

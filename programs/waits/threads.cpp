@@ -53,7 +53,9 @@ int join_until(pthread_t thread, void** result, programs::waits::Nanoseconds dea
     if (programs::waits::is_ending(thread)) return BARAKA_NEXT(pthread_join)(thread, result);
     programs::waits::cancellation_point();
     const auto woken = programs::waits::park(programs::waits::object_of(thread), deadline);
-    if (woken == programs::waits::Woken::kByDeadline) return ETIMEDOUT;
+    if (woken != programs::waits::Woken::kByDeadline) continue;
+    if (deadline != programs::waits::kNever) return ETIMEDOUT;
+    return BARAKA_NEXT(pthread_join)(thread, result);  // the run is over
   }
 }
 

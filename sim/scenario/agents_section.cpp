@@ -21,6 +21,7 @@
 #include "sim/scenario/programs_section.h"
 #include "sim/scenario/station_radio_section.h"
 #include "sim/scenario/station_section.h"
+#include "sim/scenario/topics_section.h"
 
 namespace sim::scenario {
 namespace {
@@ -198,7 +199,10 @@ void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const 
                        "`--pace` says otherwise."},
                       is_networked, [&](Fields& network) { network_keys(network, group, agents); });
   io.only(has_network, {"network", {"there"}}, "needs `network`, the interface that programs use",
-          [&](Fields& networked) { programs_keys(networked, group); });
+          [&](Fields& networked) {
+            programs_keys(networked, group);
+            topics_keys(networked, group);
+          });
   const Key key{
       "controller",
       "The controller of the agents. Stations, and agents with a network, can do without."};

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Range kProbability{0, 1};
 
-void keys_of(Fields& io, radio::LossConfig::Link& link) {
+void link_keys(Fields& io, radio::LossConfig::Link& link) {
   io.needed_text({"from", "Name of the transmitting agent, or a pattern with *.", "NAME0"},
                  link.from);
   io.needed_text({"to", "Name of the receiving agent, or a pattern with *.", "NAME*"}, link.to);
@@ -33,7 +33,7 @@ void keys_of(Fields& io, radio::LossConfig& loss) {
        "Directed links with their own probability; if several entries match a link, the last one "
        "counts.",
        "[{from: NAME0, to: NAME*, probability: 0.5}]"},
-      loss.links, [](Fields& one, radio::LossConfig::Link& link) { keys_of(one, link); });
+      loss.links, [](Fields& one, radio::LossConfig::Link& link) { link_keys(one, link); });
 }
 
 void check_loss_names(Mapping radio, const Scenario& scenario) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "sim/scenario/topic_parts.h"
+
 namespace sim::scenario {
 
 std::vector<ProcessPlan> plan_processes(const Scenario& scenario) {
@@ -51,16 +53,21 @@ ProgramWords words_of(const PlannedProgram& planned, const Scenario& scenario,
 
 std::vector<PlannedProgram> plan_programs(const Scenario& scenario) {
   std::vector<PlannedProgram> planned;
+  const auto add = [&](const Group& group, const Program& program, hal::AgentId agent) {
+    const agents::AgentConfig* const config = config_of(agent, scenario);
+    if (config == nullptr) return;  // its address is in use, which was reported
+    PlannedProgram one{&group, &program, agent, config->name, {}};
+    one.log = filled_in(program.log, words_of(one, scenario, {}));
+    one.start = hal::Time{} + program.start;
+    planned.push_back(std::move(one));
+  };
   for (const Group& group : scenario.groups) {
     for (const Program& program : group.programs) {
-      for (const hal::AgentId agent : group.agents) {
-        const agents::AgentConfig* const config = config_of(agent, scenario);
-        if (config == nullptr) continue;  // its address is in use, which was reported
-        PlannedProgram one{&group, &program, agent, config->name, {}};
-        one.log = filled_in(program.log, words_of(one, scenario, {}));
-        one.start = hal::Time{} + program.start;
-        planned.push_back(std::move(one));
-      }
+      for (const hal::AgentId agent : group.agents) add(group, program, agent);
+    }
+    if (!group.player) continue;
+    for (const hal::AgentId agent : group.agents) {
+      if (has_topics(scenario, group, agent)) add(group, *group.player, agent);
     }
   }
   std::ranges::stable_sort(planned, {}, &PlannedProgram::start);

@@ -30,7 +30,8 @@ struct Program {
   std::vector<std::string> shown{};
   std::string log{};  ///< File in the folder of results; may contain kAgentWord.
   OnExit on_exit = OnExit::kIgnore;
-  std::string place{};  ///< "file:line:column".
+  bool is_shipped = false;  ///< Installed with baraka, and not searched for in PATH.
+  std::string place{};      ///< "file:line:column".
 };
 
 /// Placeholders in a program's command, environment and log.

@@ -128,10 +128,15 @@ void check_logs(Mapping& in, const Scenario& scenario) {
     const auto [other, is_new] = taken.emplace(
         planned.log, fmt::format("{} of {}", planned.program->name, planned.agent_name));
     if (is_new) continue;
+    Mapping group = agents.within(planned.group->name);
+    if (planned.program->is_shipped) {
+      group.mistake("topics",
+                    fmt::format("their log '{}' is that of {}, too", planned.log, other->second));
+      continue;
+    }
     const auto number = static_cast<std::size_t>(planned.program - planned.group->programs.data());
-    agents.within(planned.group->name)
-        .items("programs")[number]
-        .mistake("log", fmt::format("'{}' is that of {}, too", planned.log, other->second));
+    group.items("programs")[number].mistake(
+        "log", fmt::format("'{}' is that of {}, too", planned.log, other->second));
   }
 }
 

@@ -19,6 +19,7 @@
 #include "sim/scenario/report_section.h"
 #include "sim/scenario/run_section.h"
 #include "sim/scenario/static_routes_check.h"
+#include "sim/scenario/topics_section.h"
 #include "sim/scenario/waves_checks.h"
 #include "sim/scenario/world_section.h"
 
@@ -31,6 +32,7 @@ void check_sections(Mapping& in, Scenario& scenario) {
   check_access_points(in, scenario);
   check_waves(in, scenario);
   check_networks(in, scenario);
+  find_topics(in, scenario);
   check_logs(in, scenario);
   check_loss_names(in.within("radio"), scenario);
   find_static_routes(in, scenario);

@@ -20,6 +20,7 @@
 #include "sim/scenario/observable.h"
 #include "sim/scenario/plot_request.h"
 #include "sim/scenario/program.h"
+#include "sim/scenario/topic_traffic.h"
 
 namespace sim::scenario {
 
@@ -35,6 +36,9 @@ struct Group {
   std::string program_place;        ///< "file:line:column" of `program`, for error messages.
   int processes = 1;                ///< Controller processes that share the agents.
   std::vector<Program> programs{};  ///< Programs inside each agent.
+  DdsKeys dds{};
+  std::vector<TopicItem> topics{};  ///< Written by each agent.
+  std::optional<Program> player{};  ///< Plays topics that its agents write or read.
   bool inside = false;              ///< Each controller runs inside its agent's network namespace.
   /// `routes` of its network, as in the file.
   std::vector<hal::node::routing::StaticRow> ip_routes{};

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "programs/netns/holder.h"
 #include "programs/netns/loadable.h"
 #include "sim/scenario/plan.h"
 
@@ -24,6 +25,15 @@ std::string path_of(const sim::scenario::Program& program) {
   return ours == nullptr ? "" : ours;
 }
 
+std::filesystem::path file_of(const sim::scenario::PlannedProgram& planned,
+                              const sim::scenario::Scenario& scenario) {
+  const std::string& name = planned.program->command.front();
+  if (planned.program->is_shipped) return programs::netns::installed_file({}, name.c_str());
+  const auto words = sim::scenario::words_of(planned, scenario, {});
+  return programs::netns::program_file(filled_in(name, words),
+                                       filled_in(path_of(*planned.program), words));
+}
+
 }  // namespace
 
 std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenario,
@@ -34,11 +44,8 @@ std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenar
     const sim::scenario::Program& program = *planned.program;
     const std::string& name = program.command.front();
     if (name.find(sim::scenario::kResultsWord) != std::string::npos) continue;
-    const auto words = sim::scenario::words_of(planned, scenario, {});
     try {
-      programs::netns::require_preloaded(
-          programs::netns::program_file(filled_in(name, words), filled_in(path_of(program), words)),
-          time);
+      programs::netns::require_preloaded(file_of(planned, scenario), time);
     } catch (const std::runtime_error& e) {
       std::string line = fmt::format("{}: command: {}", program.place, e.what());
       if (said.insert(line).second) mistakes.push_back(std::move(line));

@@ -12,10 +12,12 @@
 #include "baraka/run/network/kernel_routes.h"
 #include "baraka/run/network/neighbour_tables.h"
 #include "baraka/run/network/priority.h"
+#include "baraka/run/network/topic_plan.h"
 #include "baraka/run/pace/interrupts.h"
 #include "gateway/process/waiting.h"
 #include "hal/types/log.h"
 #include "programs/lockstep/kernel_needs.h"
+#include "programs/netns/holder.h"
 #include "sim/scenario/plan.h"
 
 namespace baraka::run::network {
@@ -240,6 +242,11 @@ std::uint32_t NetworkOfRun::start(const ProgramsOfRun::Start& start) {
   }
   for (const std::string& path : planned.program->shown) {
     command.shown.emplace_back(sim::scenario::filled_in(path, words));
+  }
+  if (planned.program->is_shipped) {
+    command.arguments.front() =
+        programs::netns::installed_file({}, command.arguments.front().c_str()).string();
+    write_topic_plan(planned, scenario_, start.folder);
   }
   command.log = std::filesystem::absolute(start.folder / planned.log);
   return launch(planned.agent, std::move(command));

@@ -56,6 +56,11 @@ bool Mapping::has_scalar(const std::string& key) {
   return entry != nullptr && entry->value.kind == Kind::kScalar;
 }
 
+bool Mapping::has_mapping(const std::string& key) {
+  const Entry* entry = find(key);
+  return entry != nullptr && entry->value.kind == Kind::kMapping;
+}
+
 const Node* Mapping::required(const Key& key, const Form& form) {
   const Entry* entry = find(key.name);
   if (entry != nullptr) return &entry->value;

@@ -125,6 +125,8 @@ class Mapping {
   /// Whether the key is present with a scalar, not a mapping or a list; for keys that may have
   /// either.
   bool has_scalar(const std::string& key);
+  /// The same for a mapping.
+  bool has_mapping(const std::string& key);
 
   /// All keys in order, for mappings whose keys are names.
   std::vector<std::string> keys() const;

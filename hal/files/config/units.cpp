@@ -65,6 +65,9 @@ constexpr std::array kUnits = {
     Unit{"kb/s", kBitRate, 1e3},
     Unit{"Mb/s", kBitRate, 1e6},
     Unit{"Gb/s", kBitRate, 1e9},
+    Unit{"B", kData},
+    Unit{"kB", kData, 1e3},
+    Unit{"MB", kData, 1e6},
 };
 
 }  // namespace

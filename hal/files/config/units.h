@@ -25,6 +25,7 @@ enum class Dimension {
   kAttenuation,
   kFrequency,
   kBitRate,
+  kData,
 };
 
 /// A unit: value in the dimension's SI unit = number * up / down. Two exact factors instead of one

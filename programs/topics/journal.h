@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+
+namespace programs::topics {
+
+/// What was written and received, kept until the end. All calls from any thread.
+class Journal {
+ public:
+  /// Opens the file: its folder may be renamed until close(). @throws std::runtime_error
+  Journal(std::string participant, const std::filesystem::path& file);
+
+  /// @param was_accepted  whether the write succeeded. @param late_ns  how long after it was due
+  /// the
+  ///   sample was handed to DDS.
+  void wrote(const std::string& topic, bool was_accepted, std::int64_t late_ns);
+  /// @param writer  name of the writing participant. @param at_ns  CLOCK_REALTIME.
+  void received(const std::string& topic, const std::string& writer, std::int64_t at_ns);
+
+  /// A topic that is written, or read, though there may never be a sample.
+  void add_written(const std::string& topic);
+
+  /// Writes the file. Nothing counts afterwards. @return whether it could be written.
+  bool close();
+
+ private:
+  struct Written {
+    std::uint64_t samples = 0, refused = 0;
+    std::int64_t latest_ns = 0;
+  };
+  struct Received {
+    std::uint64_t samples = 0;
+    std::int64_t first_ns = 0, last_ns = 0;
+  };
+
+  std::mutex mutex_;
+  std::string participant_;
+  std::ofstream out_;
+  bool is_closed_ = false;
+  std::map<std::string, Written> written_;
+  std::map<std::pair<std::string, std::string>, Received> received_;
+};
+
+}  // namespace programs::topics

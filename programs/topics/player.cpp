@@ -1,0 +1,120 @@
+#include "programs/topics/player.h"
+
+#include <pthread.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "hal/types/overloaded.h"
+#include "programs/topics/schedule.h"
+
+namespace programs::topics {
+namespace {
+
+using Instant = std::chrono::steady_clock::time_point;
+
+/// Lets threads sleep until a time or until the program has to end.
+class Ending {
+ public:
+  /// @return false: the program has to end.
+  bool sleep_until(Instant at) {
+    std::unique_lock lock(mutex_);
+    return !ends_.wait_until(lock, at, [this] { return is_over_; });
+  }
+
+  void end() {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+    ends_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable ends_;
+  bool is_over_ = false;
+};
+
+std::uint32_t largest(const WrittenTopic& topic) {
+  if (const auto* const recorded = std::get_if<Recorded>(&topic.rhythm)) {
+    std::uint32_t most = kLeastSize;
+    for (const Recorded::Sample& one : recorded->samples) most = std::max(most, one.bytes);
+    return most;
+  }
+  return std::visit(hal::Overloaded{[](const SizeCycle& c) {
+                                      return *std::max_element(c.sizes.begin(), c.sizes.end());
+                                    },
+                                    [](const UniformSizes& c) { return c.to; }},
+                    topic.sizes);
+}
+
+/// Plays one topic until the end.
+void play_topic(Schedule schedule, Instant begin, const std::string& name, const Write& write,
+                std::pair<Journal&, Ending&> shared) {
+  auto& [journal, ending] = shared;
+  while (const auto due = schedule.next()) {
+    const Instant at = begin + due->at;
+    if (!ending.sleep_until(at)) return;
+    const hal::Duration late = std::chrono::steady_clock::now() - at;
+    const bool was_accepted = write(due->bytes);
+    journal.wrote(name, was_accepted, late.count());
+  }
+}
+
+int play_plan(const Plan& plan, const MakeParticipant& make, const sigset_t& end_signals) {
+  const Instant start = std::chrono::steady_clock::now();
+  Journal journal(plan.name, plan.journal);
+  Ending ending;
+  const std::unique_ptr<Participant> participant = make(plan, journal);
+  for (const ReadTopic& topic : plan.reads) participant->read(topic);
+  std::vector<std::thread> threads;
+  std::vector<Write> writes;
+  for (const WrittenTopic& topic : plan.writes) {
+    journal.add_written(topic.name);
+    writes.push_back(participant->write(topic, largest(topic)));
+  }
+  for (std::size_t i = 0; i < writes.size(); ++i) {
+    threads.emplace_back([&, i] {
+      play_topic(Schedule(plan, plan.writes[i]), start + plan.begin, plan.writes[i].name, writes[i],
+                 {journal, ending});
+    });
+  }
+  int signal = 0;
+  sigwait(&end_signals, &signal);
+  const bool is_written = journal.close();
+  ending.end();
+  for (std::thread& thread : threads) thread.join();
+  if (!is_written) std::fprintf(stderr, "the journal cannot be written\n");
+  return is_written ? 0 : 1;
+}
+
+}  // namespace
+
+int play(int argc, char** argv, const MakeParticipant& make) {
+  if (argc != 2) {
+    std::fprintf(stderr,
+                 "usage: %s PLAN.json\nPlays DDS traffic that `topics:` of a scenario "
+                 "describes; `baraka run` starts it.\n",
+                 argv[0]);
+    return 2;
+  }
+  sigset_t end_signals;
+  sigemptyset(&end_signals);
+  sigaddset(&end_signals, SIGTERM);
+  sigaddset(&end_signals, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &end_signals, nullptr);  // of all threads, DDS's too
+  try {
+    return play_plan(read_plan(argv[1]), make, end_signals);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], e.what());
+    return 1;
+  }
+}
+
+}  // namespace programs::topics

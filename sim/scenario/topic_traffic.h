@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/types/time.h"
+#include "hal/types/topic_qos.h"
+
+namespace sim::scenario {
+
+using namespace std::chrono_literals;
+
+/// Serialised sizes, from `from` to `to`, uniform. [byte]
+struct SizeRange {
+  std::uint32_t from = 0, to = 0;
+};
+/// Serialised sizes used in turn [byte]; or a range.
+using SampleSizes = std::variant<std::vector<std::uint32_t>, SizeRange>;
+
+/// Smallest serialised sample: the encapsulation header and the length of a sequence. [byte]
+inline constexpr std::uint32_t kLeastSample = 8;
+/// Largest one: MaxSampleSize of Cyclone DDS 0.10, by default. [byte]
+inline constexpr std::uint32_t kMostSample = 2147483647;
+
+struct PeriodicSamples {
+  double rate = 10;  ///< Hz.
+  hal::Duration jitter{};
+};
+struct PoissonSamples {
+  double rate = 10;  ///< Hz.
+};
+struct SampleBursts {
+  double rate = 1;  ///< Of bursts, Hz.
+  std::uint32_t samples = 2;
+  hal::Duration spacing{};
+};
+using SampleRhythm = std::variant<PeriodicSamples, PoissonSamples, SampleBursts>;
+
+/// One item of `topics:`: a topic that each agent of a group writes.
+struct TopicItem {
+  std::string name;  ///< On DDS; may contain kAgentWord.
+  SampleSizes sizes;
+  SampleRhythm rhythm;
+  hal::TopicQos qos;
+  std::vector<std::string> readers;  ///< Names or patterns of agents; never the writer itself.
+  std::string place{};               ///< "file:line:column".
+};
+
+enum class DdsVendor : std::uint8_t { kCycloneDds, kFastDds };
+
+/// How the participants of a group's agents are made.
+struct DdsKeys {
+  DdsVendor vendor = DdsVendor::kCycloneDds;
+  std::filesystem::path profile;  ///< Absolute; empty: none.
+  std::uint32_t domain = 0;
+  hal::Duration start = 0ns;  ///< Simulated time of the participant's start.
+  hal::Duration begin = 1s;   ///< From then until publication begins.
+};
+
+}  // namespace sim::scenario

@@ -1,0 +1,187 @@
+#include "sim/scenario/topics_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <set>
+
+#include "sim/scenario/agent_names.h"
+#include "sim/scenario/given_file.h"
+#include "sim/scenario/topic_parts.h"
+#include "sim/scenario/topic_sizes.h"
+
+namespace sim::scenario {
+namespace {
+
+constexpr std::array kVendors = {Option<DdsVendor>{"cyclonedds", DdsVendor::kCycloneDds},
+                                 Option<DdsVendor>{"fastdds", DdsVendor::kFastDds}};
+using Reliability = hal::TopicQos::Reliability;
+using Durability = hal::TopicQos::Durability;
+constexpr std::array kReliabilities = {
+    Option<Reliability>{"reliable", Reliability::kReliable},
+    Option<Reliability>{"best_effort", Reliability::kBestEffort}};
+constexpr std::array kDurabilities = {
+    Option<Durability>{"volatile", Durability::kVolatile},
+    Option<Durability>{"transient_local", Durability::kTransientLocal}};
+
+/// OMG DDSI-RTPS 2.5, 9.6.2.3: ports are 7400 + 250 * domain + …, up to 65,535.
+constexpr std::int64_t kLastDomain = 232;
+constexpr std::uint32_t kMostHistory = 1'000'000;
+constexpr const char* kAll = "all";
+constexpr Range kTimeOfRun{0, hal::files::config::kLongestDuration};  // s
+
+void dds_keys(Fields& io, DdsKeys& c) {
+  io.choice({"vendor", "DDS implementation of the agents' participants.", "fastdds"}, kVendors,
+            c.vendor);
+  file_key(io,
+           {"profile",
+            "The vendor's configuration, an XML file: of Cyclone DDS what CYCLONEDDS_URI names, of "
+            "Fast DDS the default profiles. Relative to this file's folder, or to the shared one.",
+            "../dds/cyclone_spdp_500ms.xml", "none"},
+           c.profile);
+  io.count({"domain", "DDS domain.", "0"}, 0, kLastDomain, c.domain);
+  io.duration({"start", "Simulated time at which the participants start.", "200 ms"}, kTimeOfRun,
+              c.start);
+  io.duration(
+      {"begin",
+       "Time from a participant's start until it begins to write; nobody waits for readers.",
+       "1 s"},
+      kTimeOfRun, c.begin);
+}
+
+std::string history_text(const std::optional<std::uint32_t>& depth) {
+  return depth ? std::to_string(*depth) : kAll;
+}
+
+void take_history(Fields& io, const std::string& text, std::optional<std::uint32_t>& depth) {
+  std::uint32_t given = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, given);
+  if (text == kAll) {
+    depth.reset();
+  } else if (error == std::errc{} && rest == end && given >= 1 && given <= kMostHistory) {
+    depth = given;
+  } else {
+    io.mistake("history", fmt::format("'{}' is neither a number of samples, 1 .. {}, nor {}", text,
+                                      kMostHistory, kAll));
+  }
+}
+
+void qos_keys(Fields& io, hal::TopicQos& c) {
+  io.choice({"reliability", "RELIABILITY of writers and readers.", "best_effort"}, kReliabilities,
+            c.reliability);
+  io.spelled({"history",
+              "HISTORY of writers and readers: the number of samples that are kept (KEEP_LAST), or "
+              "`all` (KEEP_ALL), with which writes may block and be refused.",
+              "5"},
+             c.depth, history_text,
+             [&](const std::string& text, std::optional<std::uint32_t>& depth) {
+               take_history(io, text, depth);
+             });
+  io.choice({"durability",
+             "DURABILITY: with transient_local, readers that come late get the samples in the "
+             "writer's history.",
+             "transient_local"},
+            kDurabilities, c.durability);
+  io.optional_duration({"deadline", "DEADLINE that writers offer and readers request.", "200 ms"},
+                       1e-9, c.deadline);
+}
+
+void topic_keys(Fields& io, TopicItem& c) {
+  if (io.reading() != nullptr) c.place = io.reading()->place();
+  io.needed_text({"name",
+                  "Name on DDS; {agent} stands for the writing agent's name. ROS 2's /scan is "
+                  "rt/scan there.",
+                  "rt/{agent}/scan"},
+                 c.name);
+  size_key(io, c.sizes);
+  rhythm_keys(io, c.rhythm);
+  qos_keys(io, c.qos);
+  io.texts({"readers",
+            "Names or patterns of the agents that read the topic; the writer itself never does.",
+            "[NAME0]", hal::files::config::kMustBeGiven},
+           c.readers);
+}
+
+bool has_network(const Scenario& scenario, hal::AgentId agent) {
+  return declared(agent, scenario).network.has_value();
+}
+
+void check_readers(Mapping& in, const TopicItem& item, const Scenario& scenario) {
+  if (item.readers.empty()) in.mistake("readers", "no agent reads the topic: give at least one");
+  for (const std::string& name : item.readers) {
+    const std::vector<hal::AgentId> agents = agents_meant(in, "readers", name, scenario);
+    const bool is_there = std::ranges::any_of(
+        agents, [&](hal::AgentId agent) { return has_network(scenario, agent); });
+    if (!agents.empty() && !is_there)
+      in.mistake("readers", fmt::format("'{}' has no network to read by", name));
+  }
+}
+
+/// Notes topics that one agent of the group would write twice.
+void check_names(std::vector<Mapping>& items, const Group& group) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string& name = group.topics[i].name;
+    if (!names.insert(name).second)
+      items[i].mistake("name", fmt::format("the group writes '{}' already", name));
+  }
+}
+
+Program player_of(const Group& group) {
+  const bool is_cyclone = group.dds.vendor == DdsVendor::kCycloneDds;
+  Program player{
+      .name = "topics",
+      .command = {is_cyclone ? "baraka-topics-cyclonedds" : "baraka-topics-fastdds",
+                  fmt::format("{}/{}", kResultsWord, topic_plan_file(std::string(kAgentWord)))},
+      .start = group.dds.start,
+      .log = fmt::format("{}.topics.log", kAgentWord),
+      .on_exit = OnExit::kFail,
+      .is_shipped = true};
+  if (!group.topics.empty()) player.place = group.topics.front().place;
+  if (group.dds.profile.empty()) return player;
+  const std::string file = group.dds.profile.string();
+  player.shown = {file};
+  if (is_cyclone) {
+    player.environment = {{"CYCLONEDDS_URI", "file://" + file}};
+  } else {
+    player.environment = {{"FASTRTPS_DEFAULT_PROFILES_FILE", file}};
+  }
+  return player;
+}
+
+}  // namespace
+
+void topics_keys(Fields& io, Group& group) {
+  io.inside({"dds",
+             "How the participants of the group's agents are made, to write and to read "
+             "`topics`: one for each agent."},
+            [&](Fields& dds) { dds_keys(dds, group.dds); });
+  io.list_if_any<TopicItem>(
+      {"topics",
+       "Topics that each agent of the group writes by DDS over its network, without programs of "
+       "one's own.",
+       "[{name: 'rt/{agent}/scan', size: 8 kB, rate: 10 Hz, readers: [NAME0]}]"},
+      group.topics, [](Fields& one, TopicItem& item) { topic_keys(one, item); });
+}
+
+void find_topics(Mapping& in, Scenario& scenario) {
+  Mapping agents = in.within("agents");
+  for (const Group& group : scenario.groups) {
+    if (group.topics.empty()) continue;
+    std::vector<Mapping> items = agents.within(group.name).items("topics");
+    if (items.size() != group.topics.size()) continue;  // a mistake that was noted before
+    for (std::size_t i = 0; i < items.size(); ++i)
+      check_readers(items[i], group.topics[i], scenario);
+    check_names(items, group);
+  }
+  for (Group& group : scenario.groups) {
+    const bool plays = std::ranges::any_of(
+        group.agents, [&](hal::AgentId agent) { return has_topics(scenario, group, agent); });
+    if (plays) group.player = player_of(group);
+  }
+}
+
+}  // namespace sim::scenario
