@@ -176,7 +176,8 @@ int do_campaign(const CampaignFolder& folder, const EngineMaker& make_engine, Ca
     throw std::runtime_error(fmt::format("{}; {}", e.what(), kGoOn));
   }
   CampaignReader reader(folder.path());
-  const CampaignStatus status = status_of(reader, replications);
+  CampaignStatus status = status_of(reader, replications);
+  if (!work.tells_points) status.table.clear();
   fmt::print(stderr, "{}", status.bad_ends);
   print_counts(status, folder, kept, begin);
   return outcome(status);
@@ -201,6 +202,7 @@ int run_checked(const CheckedCampaign& campaign, const fs::path& file,
   const CampaignFolder folder(
       out, {.layout = CampaignFolder::Layout::kCampaign, .overwrite = options.overwrite});
   CampaignWork work{.wanted = wanted_by(campaign, file), .loop = {}};
+  work.tells_points = options.tells_points;
   work.loop.keep = campaign.file.keep;
   work.loop.retry_failed = options.retry_failed;
   work.loop.run_arguments = run_arguments(campaign.file);

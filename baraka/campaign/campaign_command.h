@@ -25,6 +25,7 @@ int run_checked(const CheckedCampaign& campaign, const std::filesystem::path& fi
 struct CampaignWork {
   results::campaign::WantedRuns wanted;
   CampaignLoop::Settings loop;
+  bool tells_points = true;  ///< Print a line for each point at the end.
 };
 /// Plans a campaign in its folder and runs it to its end. @return exit status, as run_campaign().
 int do_campaign(const CampaignFolder& folder, const EngineMaker& engine, CampaignWork work);

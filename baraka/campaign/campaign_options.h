@@ -16,7 +16,8 @@ struct CampaignOptions {
   bool retry_failed = false;           ///< Repeat runs that failed.
   bool status = false;                 ///< Only print the progress.
   std::string engine = "local";
-  bool cancel = false;  ///< Only end the campaign's Slurm jobs.
+  bool tells_points = true;  ///< Print a line for each point at the end.
+  bool cancel = false;       ///< Only end the campaign's Slurm jobs.
 };
 
 }  // namespace baraka::campaign

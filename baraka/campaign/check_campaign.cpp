@@ -136,6 +136,9 @@ CheckedCampaign check_points(CampaignFile one_file, const fs::path& file) {
                                      campaign.file.controllers == RunControllers::kInProcess
                                          ? run::controllers::ControllersFrom::kInProcess
                                          : run::controllers::ControllersFrom::kSpawn};
+  for (std::size_t i = 0; i < campaign.file.labels.size(); ++i) {
+    campaign.table.points[i].label = campaign.file.labels[i];
+  }
   PointMistakes mistakes(points.size());
   std::set<std::string> warnings;
   std::vector<std::vector<std::string>> defaults(points.size());

@@ -100,7 +100,7 @@ fs::path folder_of(const LoadedFleet& fleet, const CampaignOptions& options) {
 }  // namespace
 
 int run_fleet(const CampaignOptions& options) {
-  LoadedFleet fleet = load(options.file, options.overrides);
+  const LoadedFleet fleet = load(options.file, options.overrides);
   const fs::path folder = folder_of(fleet, options);
   if (options.cancel) return campaign::cancel_campaign(folder);
   if (options.status) {
@@ -108,8 +108,10 @@ int run_fleet(const CampaignOptions& options) {
     write_answer(fleet, folder);
     return status;
   }
+  CampaignOptions own = options;
+  own.tells_points = false;
   const int status = campaign::run_checked(campaign::check_points(fleet.plan.campaign, fleet.path),
-                                           fleet.path, options);
+                                           fleet.path, own);
   write_answer(fleet, folder);
   return status;
 }

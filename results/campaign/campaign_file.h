@@ -66,6 +66,7 @@ struct CampaignFile {
   Design design = Design::kOnePoint;
   std::vector<std::string> keys{};     ///< Varied keys, in the order of the file.
   std::vector<DesignPoint> points{};   ///< kGrid, kList and kOnePoint: the points.
+  std::vector<std::string> labels{};   ///< Of the points; empty: they are made from their values.
   int samples = 0;                     ///< kLatinHypercube: number of points.
   std::vector<SampledRange> ranges{};  ///< kLatinHypercube: the factors' ranges.
 };

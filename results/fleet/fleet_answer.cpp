@@ -88,7 +88,10 @@ void add_air(const std::vector<FleetRun>& runs, CaseAnswer& answer) {
 void add_radios(const std::vector<FleetRun>& runs, CaseAnswer& answer) {
   answer.busy = estimate(runs, Support::Kind::kShare,
                          [](const FleetRun& run) { return std::optional(run.busy); });
+  answer.backlogged = estimate(runs, Support::Kind::kShare,
+                               [](const FleetRun& run) { return std::optional(run.backlogged); });
   double most = -1;
+  double fullest = -1;
   for (const FleetRun& run : runs) {
     const double part = 1.0 / static_cast<double>(runs.size());
     answer.handovers += part * static_cast<double>(run.handovers);
@@ -96,6 +99,8 @@ void add_radios(const std::vector<FleetRun>& runs, CaseAnswer& answer) {
     answer.wall_s += part * run.wall_s;
     if (run.busy > most) answer.busiest = run.busiest;
     most = std::max(most, run.busy);
+    if (run.backlogged > fullest) answer.most_backlogged = run.most_backlogged;
+    fullest = std::max(fullest, run.backlogged);
   }
 }
 

@@ -31,7 +31,7 @@ struct SampleAnswer {
 
 /// Why a case does not hold.
 enum class Cause : std::uint8_t {
-  kAirFull,    ///< A radio is busy nearly all the time.
+  kAirFull,    ///< A radio has frames to send nearly all the time, and the medium is busy.
   kQueue,      ///< Frames are dropped or wait in a queue, though there is air.
   kDiscovery,  ///< Writers and readers have not found each other, or too late.
   kRange,      ///< Frames are lost to weak signals, or their retries are.
@@ -59,8 +59,8 @@ struct CaseAnswer {
   std::vector<SampleAnswer> needs;
   std::map<std::string, SampleAnswer> topics;  ///< By topic group.
   std::map<std::string, Estimate> air;         ///< Shares of the time, by use.
-  std::optional<Estimate> busy;
-  std::string busiest;
+  std::optional<Estimate> busy, backlogged;    ///< See FleetRun.
+  std::string busiest, most_backlogged;
   double handovers = 0, unassociated = 0;  ///< Means over the runs.
   double wall_s = 0;                       ///< Mean wall time of a run.
   std::vector<Miss> misses;

@@ -30,6 +30,7 @@ constexpr std::array kLossKinds = {
     LossKind{"interference", Cause::kCollision},
     LossKind{"receiver transmitting", Cause::kCollision},
     LossKind{"not matched", Cause::kDiscovery},
+    LossKind{kUndiscovered, Cause::kDiscovery},
     LossKind{"no route", Cause::kHandover},
 };
 
@@ -68,11 +69,14 @@ std::pair<Cause, std::string> main_loss(const SampleAnswer& need) {
 }
 
 std::string busy_text(const CaseAnswer& answer) {
-  return fmt::format("the radio of {} is busy {} of the time", answer.busiest,
-                     share_text(answer.busy->mean));
+  return fmt::format("the medium at {} is busy {} of the time, {} has frames to send in {}",
+                     answer.busiest, share_text(answer.busy->mean), answer.most_backlogged,
+                     share_text(answer.backlogged->mean));
 }
 
-bool is_full(const CaseAnswer& answer) { return answer.busy && answer.busy->mean >= kFull; }
+bool is_full(const CaseAnswer& answer) {
+  return answer.busy && answer.busy->mean >= kBusy && answer.backlogged->mean >= kSaturated;
+}
 
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;

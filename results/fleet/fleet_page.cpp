@@ -125,10 +125,10 @@ std::string fleet_page(const FleetFile& fleet, const std::vector<FleetLine>& lin
       hal::to_seconds(fleet.warm_up), hal::to_seconds(fleet.until));
   text += profiles(fleet, lines);
   for (const FleetLine& line : lines) {
-    const std::string words = words_of(fleet, line.radio, line.site, line.profile);
+    const std::string words = words_of(fleet, {line.radio, line.site, line.profile});
     text += fmt::format("<h2>{}</h2>\n", words.empty() ? "Topics" : escaped(words));
     for (const Quantity& quantity : kQuantities) text += figure(line, quantity);
-    text += table(topic_cells(line)) + table(air_cells(line));
+    text += table(topic_cells(line, Intervals::kShown)) + table(air_cells(line, Intervals::kShown));
   }
   return text + "</body></html>\n";
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "hal/files/config/document.h"
 #include "hal/files/config/errors.h"
@@ -15,6 +16,16 @@ using campaign::DesignPoint;
 using campaign::FactorValue;
 using hal::files::config::ConfigErrors;
 using hal::files::config::Mapping;
+
+/// What the answer needs is recorded, and nothing else that grows with the time.
+constexpr std::array kRecord = {
+    std::pair{"record.samples", "all"},     std::pair{"record.frames", "counts"},
+    std::pair{"record.messages", "counts"}, std::pair{"record.routes", "none"},
+    std::pair{"record.readings", "none"},   std::pair{"record.pose_period", "1 s"}};
+
+/// In which share of these samples a radio has frames to send: the bin from 0.5 on.
+constexpr const char* kQueues =
+    "{add: [{name: radio.*.queue, every: 10 ms, as: histogram, bins: 2, range: [0.5, 1000000]}]}";
 
 /// Ways of placing a group that have a `count`.
 constexpr std::array kLayouts = {"circle", "line", "uniform"};
@@ -53,11 +64,24 @@ DesignPoint point_of(const FleetFile& fleet, const FleetScenario& scenario, cons
   for (const FactorValue& each : fleet.radios[one.radio].values) set(point, each);
   for (const FactorValue& each : fleet.sites[one.site].values) set(point, each);
   set_profile(point, fleet.profiles[one.profile], scenario);
-  set(point, value("record.samples", "all", ""));
+  for (const auto& [key, text] : kRecord) set(point, value(key, text, ""));
+  set(point, value("record.observables", kQueues, ""));
   return point;
 }
 
 }  // namespace
+
+std::string words_of(const FleetFile& fleet, const Case& one) {
+  std::string words;
+  const auto add = [&words](const std::vector<Variant>& variants, std::size_t index) {
+    if (index >= variants.size() || variants[index].name.empty()) return;
+    words.append(words.empty() ? "" : ", ").append(variants[index].name);
+  };
+  add(fleet.radios, one.radio);
+  add(fleet.sites, one.site);
+  add(fleet.profiles, one.profile);
+  return words;
+}
 
 FleetScenario fleet_scenario(const std::filesystem::path& file, const FleetFile& fleet) {
   auto document = hal::files::config::Document::load(file);
@@ -103,6 +127,9 @@ FleetPlan plan_of(const FleetFile& fleet, const FleetScenario& scenario) {
       for (std::size_t profile = 0; profile < fleet.profiles.size(); ++profile) {
         for (const int robots : fleet.robots) {
           plan.cases.push_back({radio, site, profile, robots});
+          const std::string words = words_of(fleet, plan.cases.back());
+          campaign.labels.push_back(
+              fmt::format("{}{}{} robots", words, words.empty() ? "" : ", ", robots));
           campaign.points.push_back(point_of(fleet, scenario, plan.cases.back()));
           for (const FactorValue& one : campaign.points.back()) {
             if (std::ranges::find(campaign.keys, one.key) == campaign.keys.end()) {

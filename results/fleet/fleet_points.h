@@ -15,6 +15,10 @@ struct Case {
   int robots = 0;
 };
 
+/// The names of a case's radio, site and profile; one that is the only one has none. An index
+/// beyond the list leaves its part out.
+std::string words_of(const FleetFile& fleet, const Case& one);
+
 /// The campaign that a fleet file asks for: one point for each case, in this order.
 struct FleetPlan {
   campaign::CampaignFile campaign;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "hal/types/pattern.h"
+#include "results/fleet/played_topics.h"
 #include "results/record/run_reader.h"
 
 namespace results::fleet {
@@ -12,8 +14,6 @@ namespace {
 
 using record::RunReader;
 using record::Statement;
-
-using AgentNames = std::map<std::int64_t, std::string>;
 
 AgentNames agent_names(RunReader& reader) {
   AgentNames names;
@@ -30,6 +30,24 @@ std::string name_at(const AgentNames& names, std::int64_t agent) {
 /// By topic, writing and reading agent; several writers of an agent on one topic are one.
 using PairKey = std::tuple<std::string, std::string, std::string>;
 using Pairs = std::map<PairKey, Pair>;
+
+/// What the players of `topics` were told, and how much they wrote: pairs of which perhaps nothing
+/// was heard on the air.
+void add_planned_pairs(const std::filesystem::path& folder, const AgentNames& names, double end_s,
+                       Pairs& pairs) {
+  const std::vector<PlayedTopics> players = read_players(folder, names, end_s);
+  for (const PlayedTopics& writer : players) {
+    for (const auto& [topic, rate] : writer.writes) {
+      for (const PlayedTopics& reader : players) {
+        if (reader.agent == writer.agent || !reader.reads.contains(topic)) continue;
+        Pair& pair = pairs[{topic, writer.agent, reader.agent}];
+        std::tie(pair.topic, pair.writer, pair.reader) =
+            std::tie(topic, writer.agent, reader.agent);
+        pair.rate = rate;
+      }
+    }
+  }
+}
 
 /// The pairs that were announced on the air, without samples.
 Pairs announced_pairs(RunReader& reader, const AgentNames& names) {
@@ -102,6 +120,21 @@ void read_use(RunReader& reader, const AgentNames& names, FleetRun& run) {
   }
 }
 
+/// From the histograms of queue lengths that plan_of() asks for.
+void read_backlogs(RunReader& reader, const AgentNames& names, FleetRun& run) {
+  Statement bins = reader.query(
+      "SELECT o.agent, SUM(CASE WHEN b.lower IS NULL THEN 0 ELSE b.count END), SUM(b.count) "
+      "FROM observables o JOIN observable_bins b ON b.observable = o.observable "
+      "WHERE o.name = 'radio.queue' AND o.keeps = 'histogram' GROUP BY o.agent");
+  while (bins.next()) {
+    const auto all = static_cast<double>(bins.integer(2));
+    const double share = all > 0 ? static_cast<double>(bins.integer(1)) / all : 0;
+    if (share <= run.backlogged) continue;
+    run.backlogged = share;
+    run.most_backlogged = name_at(names, bins.integer(0));
+  }
+}
+
 /// Counts handovers, and stations without any access point.
 void read_associations(RunReader& reader, FleetRun& run) {
   std::map<std::int64_t, std::set<std::int64_t>> with;
@@ -143,7 +176,8 @@ FleetRun read_fleet_run(const std::filesystem::path& folder, const FleetFile& fl
   const AgentNames names = agent_names(reader);
   std::vector<std::string> agents;
   for (const auto& [agent, name] : names) agents.push_back(name);
-  const Pairs pairs = pairs_of(reader, names);
+  Pairs pairs = pairs_of(reader, names);
+  add_planned_pairs(folder, names, run.simulated_s, pairs);
   const Window window{hal::Time{fleet.warm_up}, hal::Time{hal::from_seconds(run.simulated_s)}};
   std::map<std::string, std::vector<const Pair*>> groups;
   for (const auto& [key, pair] : pairs) groups[group_of(pair.topic, agents)].push_back(&pair);
@@ -159,6 +193,7 @@ FleetRun read_fleet_run(const std::filesystem::path& folder, const FleetFile& fl
   }
   read_air(reader, agents, run);
   read_use(reader, names, run);
+  read_backlogs(reader, names, run);
   read_associations(reader, run);
   return run;
 }

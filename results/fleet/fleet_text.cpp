@@ -13,19 +13,21 @@
 namespace results::fleet {
 namespace {
 
-std::string plus_minus(const Estimate& value, std::string (*text)(double)) {
-  if (!value.interval) return text(value.mean);
-  return fmt::format("{} ({} … {})", text(value.mean), text(value.interval->low),
-                     text(value.interval->high));
-}
+/// Writes estimates into cells.
+struct CellWriter {
+  Intervals intervals;
 
-std::string cell(const std::optional<Estimate>& value, std::string (*text)(double)) {
-  return value ? plus_minus(*value, text) : "-";
-}
+  std::string operator()(const std::optional<Estimate>& value, std::string (*text)(double)) const {
+    if (!value) return "-";
+    if (!value->interval || intervals == Intervals::kNone) return text(value->mean);
+    return fmt::format("{} ({} … {})", text(value->mean), text(value->interval->low),
+                       text(value->interval->high));
+  }
+};
 
 /// What is set by the parts of a line, each if there are several of it.
 std::string named(const FleetFile& fleet, const FleetLine& line) {
-  return words_of(fleet, line.radio, line.site, line.profile);
+  return words_of(fleet, {line.radio, line.site, line.profile});
 }
 
 std::string profile_name(const FleetFile& fleet, const FleetLine& line) {
@@ -53,39 +55,27 @@ std::string loss_of(const FleetFile& fleet, const FleetLine& best, const FleetLi
 
 std::string sentence(const FleetFile& fleet, const std::vector<const FleetLine*>& ranking) {
   const FleetLine& best = *ranking.front();
-  const std::string where = words_of(fleet, best.radio, best.site, fleet.profiles.size());
-  std::string text = fmt::format("{}{}: {} with {}.", where.empty() ? "Robots" : "Robots, ", where,
+  const std::string where = words_of(fleet, {best.radio, best.site, fleet.profiles.size()});
+  std::string text = fmt::format("{}{} robots with {}.", where.empty() ? "" : where + ": ",
                                  largest_text(best), profile_name(fleet, best));
   if (const CaseAnswer* const miss = best.first_miss(); miss != nullptr && !miss->misses.empty()) {
     const Miss& first = miss->misses.front();
     text +=
-        fmt::format(" With {} {} breaks first: {} ({}). {}.", miss->which.robots,
-                    fleet.needs[first.need].topic, name(first.cause), first.what, first.evidence);
+        fmt::format(" With {}, {} fails first: {}. Cause: {} ({}).", miss->which.robots,
+                    fleet.needs[first.need].topic, first.what, name(first.cause), first.evidence);
   }
-  if (ranking.size() > 1)
+  if (ranking.size() > 1) {
     text += fmt::format(" Of the others, {}.", loss_of(fleet, best, *ranking[1]));
+  }
   return text;
 }
 
 }  // namespace
 
-std::string words_of(const FleetFile& fleet, std::size_t radio, std::size_t site,
-                     std::size_t profile) {
-  std::string words;
-  const auto add = [&words](const std::vector<Variant>& variants, std::size_t index) {
-    if (index >= variants.size() || variants[index].name.empty()) return;
-    words.append(words.empty() ? "" : ", ").append(variants[index].name);
-  };
-  add(fleet.radios, radio);
-  add(fleet.sites, site);
-  add(fleet.profiles, profile);
-  return words;
-}
-
 std::string largest_text(const FleetLine& line) {
   const auto largest = line.largest();
   if (!largest) {
-    return fmt::format("none (fewer than {})", line.cases.front().which.robots);
+    return fmt::format("fewer than {}", line.cases.front().which.robots);
   }
   const bool is_all = *largest == line.cases.back().which.robots;
   return is_all ? fmt::format("at least {}", *largest) : std::to_string(*largest);
@@ -122,7 +112,8 @@ Cells summary_cells(const FleetFile& fleet, const std::vector<FleetLine>& lines)
   return cells;
 }
 
-Cells topic_cells(const FleetLine& line) {
+Cells topic_cells(const FleetLine& line, Intervals intervals) {
+  const CellWriter cell{intervals};
   Cells cells{{"robots", "topic", "delivered", "first try", "median", "95 %", "99 %", "age, 95 %",
                "first sample by", "runs"},
               {}};
@@ -138,7 +129,8 @@ Cells topic_cells(const FleetLine& line) {
   return cells;
 }
 
-Cells air_cells(const FleetLine& line) {
+Cells air_cells(const FleetLine& line, Intervals intervals) {
+  const CellWriter cell{intervals};
   std::set<std::string> uses;
   Cells cells{{"on the air"}, {}};
   std::vector<std::string> busy{"busiest radio"};
@@ -154,9 +146,11 @@ Cells air_cells(const FleetLine& line) {
     for (const CaseAnswer& one : line.cases) {
       const auto found = one.air.find(use);
       const bool is_there = found != one.air.end();
-      row.push_back(is_there       ? plus_minus(found->second, share_text)
-                    : one.runs > 0 ? "0.0 %"
-                                   : "-");
+      if (is_there) {
+        row.push_back(cell(found->second, share_text));
+      } else {
+        row.emplace_back(one.runs > 0 ? "0.0 %" : "-");
+      }
     }
     cells.rows.push_back(std::move(row));
   }
@@ -175,8 +169,8 @@ std::string fleet_text(const FleetFile& fleet, const std::vector<FleetLine>& lin
   for (const FleetLine& line : lines) {
     const std::string words = named(fleet, line);
     if (!words.empty()) text += words + "\n\n";
-    add_table(topic_cells(line));
-    add_table(air_cells(line));
+    add_table(topic_cells(line, Intervals::kNone));
+    add_table(air_cells(line, Intervals::kNone));
   }
   add_table(summary_cells(fleet, lines));
   for (const std::string& one : sentences(fleet, lines)) text += one + "\n";

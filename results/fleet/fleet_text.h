@@ -9,11 +9,7 @@
 
 namespace results::fleet {
 
-/// What a variant is called: its name; "" if there is only one, which sets nothing.
-std::string words_of(const FleetFile& fleet, std::size_t radio, std::size_t site,
-                     std::size_t profile);
-
-/// "6", "none" (not even the least number), "at least 12" (every number that was tried).
+/// "6", "fewer than 2" (not even the least number), "at least 12" (every number that was tried).
 std::string largest_text(const FleetLine& line);
 
 /// The answer as sentences: for each radio and site, the number of robots with the best profile,
@@ -29,11 +25,14 @@ struct Cells {
 /// Largest numbers and what breaks first, one row for each line.
 Cells summary_cells(const FleetFile& fleet, const std::vector<FleetLine>& lines);
 
+/// Whether means have their intervals beside them.
+enum class Intervals : std::uint8_t { kNone, kShown };
+
 /// One line: a row for each number of robots and topic group.
-Cells topic_cells(const FleetLine& line);
+Cells topic_cells(const FleetLine& line, Intervals intervals);
 
 /// One line: shares of the time on the air, a row for each use, a column for each number.
-Cells air_cells(const FleetLine& line);
+Cells air_cells(const FleetLine& line, Intervals intervals);
 
 /// All of it in plain text, for a terminal.
 std::string fleet_text(const FleetFile& fleet, const std::vector<FleetLine>& lines);

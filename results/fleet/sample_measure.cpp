@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "results/statistics/quantile.h"
 
@@ -69,6 +70,17 @@ void count(const SampleFate& sample, SampleMeasure& sums) {
   sums.latencies.push_back(hal::to_seconds(*sample.left - sample.entered));
 }
 
+/// Counts what was written in the window before the writer knew the reader.
+void count_undiscovered(const Pair& pair, const Window& window, SampleMeasure& sums) {
+  if (!pair.rate) return;
+  const hal::Time known = pair.samples.empty() ? window.until : pair.samples.front().entered;
+  const double late = hal::to_seconds(std::min(known, window.until) - window.from);
+  const auto missed = static_cast<std::uint64_t>(std::max(0.0, std::floor(*pair.rate * late)));
+  if (missed == 0) return;
+  sums.samples += missed;
+  sums.lost[kUndiscovered] += missed;
+}
+
 /// When its first sample arrived; nullopt: never.
 std::optional<hal::Time> first_arrival(const Pair& pair) {
   std::optional<hal::Time> first;
@@ -99,6 +111,7 @@ SampleMeasure measure(const std::vector<const Pair*>& pairs, const Window& windo
     const auto first = first_arrival(*pair);
     if (!first) ++sums.silent;
     if (first && (!last || *first > *last)) last = first;
+    count_undiscovered(*pair, window, sums);
     for (const SampleFate& sample : pair->samples) {
       if (sample.entered >= window.from && sample.entered < window.until) count(sample, sums);
     }

@@ -30,16 +30,23 @@ struct SampleFate {
 struct Pair {
   std::string topic, writer, reader;  ///< Of agents: their names.
   std::vector<SampleFate> samples{};
+  /// Samples per second that the writer writes, if it is known: of a player of `topics`.
+  std::optional<double> rate{};
 };
+
+/// Samples that a writer of known rate wrote in the window before it knew the reader; they are not
+/// in the record.
+inline constexpr const char* kUndiscovered = "before discovery";
 
 /// Counts and times of the samples of some pairs in a window.
 struct SampleMeasure {
   std::uint64_t pairs = 0;   ///< Writers and agents with a reader of their topic.
   std::uint64_t silent = 0;  ///< Pairs among these of which no sample arrived in the whole run.
   std::uint64_t samples = 0, delivered = 0, first_try = 0, repaired = 0;
-  std::map<std::string, std::uint64_t> lost{};  ///< By verdict and place: "queue full at ap".
-  std::vector<double> latencies{};              ///< s, ascending.
-  std::optional<double> age95{};                ///< s; nullopt: there is no pair.
+  /// By verdict and place: "queue full at ap"; and kUndiscovered.
+  std::map<std::string, std::uint64_t> lost{};
+  std::vector<double> latencies{};  ///< s, ascending.
+  std::optional<double> age95{};    ///< s; nullopt: there is no pair.
   /// s, when the last pair had its first sample; nullopt: there is no pair, or a silent one.
   std::optional<double> discovered{};
 
