@@ -58,6 +58,7 @@ WantedRuns wanted_by(const CheckedCampaign& campaign, const CampaignOptions& opt
                  {"seeds", std::string(name_of(file.seeds))},
                  {"until", until_words(file)},
                  {"controllers", in_process ? "in-process" : "spawn"},
+                 {"pace", file.pace},
                  {"programs", program_digests(campaign.controllers)},
                  {"file", text_of(hal::files::config::named_file(options.file, {"campaigns"}))}},
       .factors = campaign.table.factors,
@@ -73,7 +74,7 @@ WantedRuns wanted_by(const CheckedCampaign& campaign, const CampaignOptions& opt
 std::vector<std::string> run_arguments(const CampaignFile& file) {
   const bool in_process = file.controllers == results::campaign::RunControllers::kInProcess;
   std::vector<std::string> arguments{"--controllers", in_process ? "in-process" : "spawn",
-                                     "--no-inspect"};
+                                     "--no-inspect", "--pace", file.pace};
   if (file.until) {
     arguments.insert(arguments.end(), {"--until", fmt::format("{}", hal::to_seconds(*file.until))});
   }

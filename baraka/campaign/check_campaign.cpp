@@ -10,6 +10,9 @@
 #include "baraka/campaign/default_levels.h"
 #include "baraka/campaign/program_digests.h"
 #include "baraka/run/check/check_scenario.h"
+#include "baraka/run/check/program_pace.h"
+#include "baraka/run/network/network_of_run.h"
+#include "gateway/process/exit_status.h"
 #include "hal/files/config/document.h"
 #include "hal/files/config/errors.h"
 #include "hal/files/config/shared_folders.h"
@@ -118,6 +121,27 @@ std::vector<std::string> overrides_of(const DesignPoint& point, std::uint64_t se
   return overrides;
 }
 
+/// @throws ConfigErrors  its pace is none, or none for programs inside agents.
+void check_pace(const CampaignFile& file, bool has_programs) {
+  try {
+    (void)run::check::real_time_factor(file.pace);
+    if (has_programs) run::check::require_pace_for_programs(file.pace);
+  } catch (const gateway::process::UsageError& e) {
+    const std::string what = e.what();
+    constexpr std::string_view kOption = "--";
+    throw ConfigErrors({fmt::format("{}: {}", file.pace_place,
+                                    what.starts_with(kOption) ? what.substr(2) : what)});
+  }
+}
+
+run::check::RunMode mode_of(const CampaignFile& file) {
+  check_pace(file, false);
+  return {.controllers = file.controllers == RunControllers::kInProcess
+                             ? run::controllers::ControllersFrom::kInProcess
+                             : run::controllers::ControllersFrom::kSpawn,
+          .time = run::check::program_time(file.pace)};
+}
+
 }  // namespace
 
 CheckedCampaign check_campaign(const std::string& path, const std::vector<std::string>& overrides) {
@@ -129,10 +153,7 @@ CheckedCampaign check_campaign(const std::string& path, const std::vector<std::s
   const std::vector<DesignPoint> points =
       results::campaign::points_of(campaign.file, campaign.seed);
   campaign.table = results::campaign::factor_table(campaign.file.keys, points);
-  const run::check::RunMode mode{.controllers =
-                                     campaign.file.controllers == RunControllers::kInProcess
-                                         ? run::controllers::ControllersFrom::kInProcess
-                                         : run::controllers::ControllersFrom::kSpawn};
+  const run::check::RunMode mode = mode_of(campaign.file);
   PointMistakes mistakes(points.size());
   std::set<std::string> warnings;
   std::vector<std::vector<std::string>> defaults(points.size());
@@ -142,6 +163,7 @@ CheckedCampaign check_campaign(const std::string& path, const std::vector<std::s
       const run::check::CheckedScenario checked =
           run::check::check_scenario(scenario, overrides_of(points[i], campaign.seed), mode);
       const Scenario& one = checked.scenario;
+      check_pace(campaign.file, run::network::has_network(one));
       warnings.insert(checked.remarks.begin(), checked.remarks.end());
       row.scenario = sim::scenario::resolved_yaml(one);
       campaign.controllers.merge(controllers_of(one));

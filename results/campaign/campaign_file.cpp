@@ -74,6 +74,13 @@ void run_keys(Fields& io, CampaignFile& c) {
              "spawn: in processes of their own, over DDS. The results are equal.",
              "spawn"},
             kControllers, c.controllers);
+  io.text({"pace",
+           "How simulated time advances in the runs, as with `--pace`. lockstep: controllers are "
+           "waited for and programs held, so that runs of equal seeds are equal; realtime[:F]: it "
+           "follows the wall clock, F times as fast, and runs of equal seeds differ.",
+           "realtime:0.5"},
+          c.pace);
+  if (io.reading() != nullptr) c.pace_place = io.reading()->place("pace");
   io.given_count(
       {"jobs", "Number of simultaneous runs on this computer.", "4", "one for each processor"}, 1,
       1000, c.jobs);
