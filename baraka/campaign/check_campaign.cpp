@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <set>
@@ -142,17 +143,20 @@ run::check::RunMode mode_of(const CampaignFile& file) {
           .time = run::check::program_time(file.pace)};
 }
 
-}  // namespace
+/// Whether controllers of a scenario run inside their agents' networks, where only processes can:
+/// the results of `in-process` and `spawn` are equal, so all its controllers are spawned.
+bool has_inside(const fs::path& file, const std::vector<std::string>& overrides) {
+  try {
+    return std::ranges::any_of(sim::scenario::load_scenario(file, overrides).groups,
+                               &sim::scenario::Group::inside);
+  } catch (const ConfigErrors&) {
+    return false;  // reported with the mistakes of all points
+  }
+}
 
-CheckedCampaign check_campaign(const std::string& path, const std::vector<std::string>& overrides) {
-  const fs::path file = hal::files::config::named_file(path, {"campaigns"});
-  CheckedCampaign campaign;
-  campaign.file = results::campaign::load_campaign(file, overrides);
-  const fs::path scenario = scenario_file(campaign.file, file);
-  campaign.seed = campaign.file.seed ? *campaign.file.seed : seed_in(scenario);
-  const std::vector<DesignPoint> points =
-      results::campaign::points_of(campaign.file, campaign.seed);
-  campaign.table = results::campaign::factor_table(campaign.file.keys, points);
+/// Checks the scenario of each point and completes the campaign's table.
+void check_points(CheckedCampaign& campaign, const fs::path& scenario,
+                  const std::vector<DesignPoint>& points) {
   const run::check::RunMode mode = mode_of(campaign.file);
   PointMistakes mistakes(points.size());
   std::set<std::string> warnings;
@@ -177,6 +181,22 @@ CheckedCampaign check_campaign(const std::string& path, const std::vector<std::s
   if (!lines.empty()) throw ConfigErrors(std::move(lines));
   results::campaign::set_defaults(campaign.table, defaults);
   campaign.warnings.assign(warnings.begin(), warnings.end());
+}
+
+}  // namespace
+
+CheckedCampaign check_campaign(const std::string& path, const std::vector<std::string>& overrides) {
+  const fs::path file = hal::files::config::named_file(path, {"campaigns"});
+  CheckedCampaign campaign;
+  campaign.file = results::campaign::load_campaign(file, overrides);
+  const fs::path scenario = scenario_file(campaign.file, file);
+  campaign.seed = campaign.file.seed ? *campaign.file.seed : seed_in(scenario);
+  const std::vector<DesignPoint> points =
+      results::campaign::points_of(campaign.file, campaign.seed);
+  campaign.table = results::campaign::factor_table(campaign.file.keys, points);
+  if (!points.empty() && has_inside(scenario, overrides_of(points.front(), campaign.seed)))
+    campaign.file.controllers = RunControllers::kSpawn;
+  check_points(campaign, scenario, points);
   return campaign;
 }
 

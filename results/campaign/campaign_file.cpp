@@ -71,7 +71,8 @@ void run_keys(Fields& io, CampaignFile& c) {
             kKeep, c.keep);
   io.choice({"controllers",
              "Where controllers run. in-process: in the process of the run, which is fastest; "
-             "spawn: in processes of their own, over DDS. The results are equal.",
+             "spawn: in processes of their own, over DDS. The results are equal. A scenario with a "
+             "controller `inside` its agent's network is always run with spawn.",
              "spawn"},
             kControllers, c.controllers);
   io.text({"pace",

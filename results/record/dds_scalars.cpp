@@ -82,7 +82,7 @@ std::string total(std::string_view value) {
   return fmt::format("SELECT '', {} FROM sample_sums HAVING {}", value, kSamplesAreCounted);
 }
 
-std::vector<ScalarKind> sample_scalars() {
+std::vector<ScalarKind> total_scalars() {
   return {
       {"dds.samples", "1",
        "samples that programs' writers sent, counted once for each other agent with a matched "
@@ -92,6 +92,11 @@ std::vector<ScalarKind> sample_scalars() {
        total("IFNULL(SUM(delivered), 0)")},
       {"dds.delivered_share", "1", "delivered over samples; absent if there were none",
        total("1.0 * SUM(delivered) / NULLIF(SUM(samples), 0)"), Range::kShare, "dds.samples"},
+  };
+}
+
+std::vector<ScalarKind> sample_scalars() {
+  return {
       {"dds.TOPIC.samples", "1",
        "the same by topic, in total and of each reading agent; 0 for a topic or a reader that was "
        "announced and to which nothing was sent",
@@ -154,9 +159,9 @@ std::vector<ScalarKind> time_scalars() {
 }  // namespace
 
 std::vector<ScalarKind> dds_scalars() {
-  std::vector<ScalarKind> all = sample_scalars();
-  const std::vector<ScalarKind> times = time_scalars();
-  all.insert(all.end(), times.begin(), times.end());
+  std::vector<ScalarKind> all;
+  for (const auto& part : {total_scalars(), sample_scalars(), time_scalars()})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
