@@ -57,6 +57,7 @@ WantedRuns wanted_by(const CheckedCampaign& campaign, const fs::path& path) {
                                {"seeds", std::string(name_of(file.seeds))},
                                {"until", until_words(file)},
                                {"controllers", in_process ? "in-process" : "spawn"},
+                               {"pace", file.pace},
                                {"programs", program_digests(campaign.controllers)},
                                {"file", text_of(path)}},
                     .factors = campaign.table.factors,
@@ -72,7 +73,7 @@ WantedRuns wanted_by(const CheckedCampaign& campaign, const fs::path& path) {
 std::vector<std::string> run_arguments(const CampaignFile& file) {
   const bool in_process = file.controllers == results::campaign::RunControllers::kInProcess;
   std::vector<std::string> arguments{"--controllers", in_process ? "in-process" : "spawn",
-                                     "--no-inspect"};
+                                     "--no-inspect", "--pace", file.pace};
   if (file.until) {
     arguments.insert(arguments.end(), {"--until", fmt::format("{}", hal::to_seconds(*file.until))});
   }

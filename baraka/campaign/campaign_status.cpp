@@ -15,6 +15,7 @@
 #include "baraka/run/output/results_folder.h"
 #include "gateway/process/exit_status.h"
 #include "hal/types/printable.h"
+#include "results/campaign/campaign_file.h"
 
 namespace baraka::campaign {
 namespace {
@@ -72,6 +73,12 @@ std::string table_of(const std::vector<PointRow>& points, const std::map<int, Po
   return table;
 }
 
+/// "": the runs are in lock-step.
+std::string pace_line(const std::string& pace) {
+  if (pace.empty() || pace == results::campaign::kLockstep) return "";
+  return fmt::format("in real time ({}): runs of equal seeds differ\n", hal::printable(pace));
+}
+
 std::string bad_end(const RunRow& row, const std::string& name) {
   const bool failed = row.state == RunState::kFailed;
   return fmt::format("{}: {} (seed {}): {}\n", failed ? "failed" : "expectation not met", name,
@@ -127,7 +134,7 @@ CampaignStatus status_of(CampaignReader& reader, int replications) {
   }
   const std::vector<PointRow> points = reader.points();
   status.points = points.size();
-  status.table = table_of(points, sums);
+  status.table = table_of(points, sums) + pace_line(reader.value("pace"));
   return status;
 }
 

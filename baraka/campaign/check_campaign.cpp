@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <set>
@@ -10,6 +11,9 @@
 #include "baraka/campaign/default_levels.h"
 #include "baraka/campaign/program_digests.h"
 #include "baraka/run/check/check_scenario.h"
+#include "baraka/run/check/program_pace.h"
+#include "baraka/run/network/network_of_run.h"
+#include "gateway/process/exit_status.h"
 #include "hal/files/config/document.h"
 #include "hal/files/config/errors.h"
 #include "hal/files/config/shared_folders.h"
@@ -107,6 +111,67 @@ std::vector<std::string> overrides_of(const DesignPoint& point, std::uint64_t se
   return overrides;
 }
 
+/// @throws ConfigErrors  its pace is none, or none for programs inside agents.
+void check_pace(const CampaignFile& file, bool has_programs) {
+  try {
+    (void)run::check::real_time_factor(file.pace);
+    if (has_programs) run::check::require_pace_for_programs(file.pace);
+  } catch (const gateway::process::UsageError& e) {
+    const std::string what = e.what();
+    constexpr std::string_view kOption = "--";
+    throw ConfigErrors({fmt::format("{}: {}", file.pace_place,
+                                    what.starts_with(kOption) ? what.substr(2) : what)});
+  }
+}
+
+run::check::RunMode mode_of(const CampaignFile& file) {
+  check_pace(file, false);
+  return {.controllers = file.controllers == RunControllers::kInProcess
+                             ? run::controllers::ControllersFrom::kInProcess
+                             : run::controllers::ControllersFrom::kSpawn,
+          .time = run::check::program_time(file.pace)};
+}
+
+/// Whether controllers of a scenario run inside their agents' networks, where only processes can:
+/// the results of `in-process` and `spawn` are equal, so all its controllers are spawned.
+bool has_inside(const fs::path& file, const std::vector<std::string>& overrides) {
+  try {
+    return std::ranges::any_of(sim::scenario::load_scenario(file, overrides).groups,
+                               &sim::scenario::Group::inside);
+  } catch (const ConfigErrors&) {
+    return false;  // reported with the mistakes of all points
+  }
+}
+
+/// Checks the scenario of each point and completes the campaign's table.
+void check_each(CheckedCampaign& campaign, const fs::path& scenario,
+                const std::vector<DesignPoint>& points) {
+  const run::check::RunMode mode = mode_of(campaign.file);
+  PointMistakes mistakes(points.size());
+  std::set<std::string> warnings;
+  std::vector<std::vector<std::string>> defaults(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointRow& row = campaign.table.points[i];
+    try {
+      const run::check::CheckedScenario checked =
+          run::check::check_scenario(scenario, overrides_of(points[i], campaign.seed), mode);
+      const Scenario& one = checked.scenario;
+      check_pace(campaign.file, run::network::has_network(one));
+      warnings.insert(checked.remarks.begin(), checked.remarks.end());
+      row.scenario = sim::scenario::resolved_yaml(one);
+      campaign.controllers.merge(controllers_of(one));
+      const bool sets_all = points[i].size() == campaign.file.keys.size();
+      if (!sets_all) defaults[i] = values_in(one, campaign.file.keys);
+    } catch (const ConfigErrors& errors) {
+      mistakes.add(points[i], row, errors.messages());
+    }
+  }
+  std::vector<std::string> lines = mistakes.lines();
+  if (!lines.empty()) throw ConfigErrors(std::move(lines));
+  results::campaign::set_defaults(campaign.table, defaults);
+  campaign.warnings.assign(warnings.begin(), warnings.end());
+}
+
 }  // namespace
 
 fs::path scenario_file(const CampaignFile& campaign, const fs::path& file) {
@@ -124,43 +189,20 @@ CheckedCampaign check_campaign(const std::string& path, const std::vector<std::s
   return check_points(results::campaign::load_campaign(file, overrides), file);
 }
 
-CheckedCampaign check_points(CampaignFile one_file, const fs::path& file) {
+CheckedCampaign check_points(CampaignFile of, const fs::path& file) {
   CheckedCampaign campaign;
-  campaign.file = std::move(one_file);
+  campaign.file = std::move(of);
   const fs::path scenario = scenario_file(campaign.file, file);
   campaign.seed = campaign.file.seed ? *campaign.file.seed : seed_in(scenario);
   const std::vector<DesignPoint> points =
       results::campaign::points_of(campaign.file, campaign.seed);
   campaign.table = results::campaign::factor_table(campaign.file.keys, points);
-  const run::check::RunMode mode{.controllers =
-                                     campaign.file.controllers == RunControllers::kInProcess
-                                         ? run::controllers::ControllersFrom::kInProcess
-                                         : run::controllers::ControllersFrom::kSpawn};
+  if (!points.empty() && has_inside(scenario, overrides_of(points.front(), campaign.seed)))
+    campaign.file.controllers = RunControllers::kSpawn;
+  check_each(campaign, scenario, points);
   for (std::size_t i = 0; i < campaign.file.labels.size(); ++i) {
     campaign.table.points[i].label = campaign.file.labels[i];
   }
-  PointMistakes mistakes(points.size());
-  std::set<std::string> warnings;
-  std::vector<std::vector<std::string>> defaults(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    PointRow& row = campaign.table.points[i];
-    try {
-      const run::check::CheckedScenario checked =
-          run::check::check_scenario(scenario, overrides_of(points[i], campaign.seed), mode);
-      const Scenario& one = checked.scenario;
-      warnings.insert(checked.remarks.begin(), checked.remarks.end());
-      row.scenario = sim::scenario::resolved_yaml(one);
-      campaign.controllers.merge(controllers_of(one));
-      const bool sets_all = points[i].size() == campaign.file.keys.size();
-      if (!sets_all) defaults[i] = values_in(one, campaign.file.keys);
-    } catch (const ConfigErrors& errors) {
-      mistakes.add(points[i], row, errors.messages());
-    }
-  }
-  std::vector<std::string> lines = mistakes.lines();
-  if (!lines.empty()) throw ConfigErrors(std::move(lines));
-  results::campaign::set_defaults(campaign.table, defaults);
-  campaign.warnings.assign(warnings.begin(), warnings.end());
   return campaign;
 }
 

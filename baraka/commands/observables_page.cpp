@@ -27,6 +27,7 @@ record:
     - {name: radio.*.queue, on: change, as: quantiles}
     - {name: messages.*.delay, on: change, as: histogram, range: [0, 2]}
     - {name: controllers.r*.nearest, every: 500 ms, as: counter}        # count, mean, sd, min, max, last
+    - {name: dds.base.rt/*/scan.age, every: 100 ms, as: quantiles}
 ```
 
 A name is DOMAIN.AGENT.VALUE; in agent and value `*` stands for any number of characters and `?` for
@@ -37,6 +38,14 @@ multiple of the physics step or of the control period, and the value is that of 
 values that a controller records), and all others at the control instants of the agent if they have
 changed. A value that does not exist is left out: the range of a sensor that detects nothing, the delay
 before the first message arrived.
+
+Names of DDS values are dds.AGENT.TOPIC.VALUE: the topic as SEDP announces it, `rt/r0/scan` for ROS 2's
+`/r0/scan`; it may contain dots. A topic becomes known at an agent when one of the agent's endpoints is
+announced, or when the agent first transmits something of it; until then it has no values. A name of this
+domain is a mistake if no agent of that name has a `network` (or, for `airtime` and `air_share`, is an
+access point), or if it ends in none of the values below. `on: change` records each latency, and counts
+and shares of samples when a sample is sent or arrives; `age` when a sample arrives; `airtime` and
+`air_share` at control instants. They need no key of `record`, and also exist with `samples: none`.
 
 Observing changes nothing: an observed run has the same fingerprint as one that is not observed, in
 process and over DDS, in lock-step, in real time and repeated.
@@ -54,8 +63,10 @@ constexpr const char* kAboutNumbers = R"(
 ## Numbers that every run has
 
 A word in capitals stands for a verdict, a topic, a state and so on, in lower case and with `_` for
-characters other than letters and digits: `messages.ends.no_route`. Numbers of agents exist for each
-agent. For an observable DOMAIN.AGENT.VALUE, each agent has DOMAIN.VALUE.count, .mean, .mean_over_time
+characters other than letters and digits: `messages.ends.no_route`. DDS topics are written as they are,
+`dds.rt/r0/scan.delivered_share`, except that each octet other than letters, digits, `_`, `-` and `/`
+becomes `%` and two hexadecimal digits (`a.b` is `a%2Eb`), so that different topics have different names.
+Numbers of agents exist for each agent. For an observable DOMAIN.AGENT.VALUE, each agent has DOMAIN.VALUE.count, .mean, .mean_over_time
 (each value weighted by the time until the next), .sd, .min, .max, .last and, `as: quantiles`, .p01,
 .p05, .p25, .p50, .p75, .p95, .p99.
 
@@ -64,7 +75,8 @@ of a result lists what was possible: verdicts and classes of its radio's profile
 protocols, states and names that its controllers declare. There is no number of what was impossible or
 not recorded: collisions with an ideal radio, messages with `record: {messages: none}`.
 Topics, and states of controllers that declare none, become known when they occur: where runs are read
-together, a run without them has 0 of those that another run of the same controllers had.
+together, a run without them has 0 of those that another run of the same agents had. So a run in which
+discovery failed has 0 samples of a topic, and no delivered share.
 
 )";
 

@@ -20,8 +20,6 @@
 namespace baraka::run {
 namespace {
 
-constexpr double kLeastFactorOfPrograms = 0.01;
-
 /// Programs that follow the wall clock cannot run faster than it.
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
@@ -34,11 +32,8 @@ std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& sc
         "--max-speed: runs with networks keep real time; --pace realtime:F slows the run and its "
         "programs down");
   }
-  if (*factor >= kLeastFactorOfPrograms && *factor <= 1) return pace;
-  throw gateway::process::UsageError(fmt::format(
-      "--pace: realtime:{}: with agents that have a network, F must be from {} to 1: their "
-      "programs can be slowed, not hastened",
-      *factor, kLeastFactorOfPrograms));
+  check::require_pace_for_programs(pace);
+  return pace;
 }
 
 /// Keys below "agents.<group>." that set the places of stations.

@@ -1,6 +1,7 @@
 #include "hal/types/pattern.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace hal {
 
@@ -27,6 +28,30 @@ bool matches(std::string_view pattern, std::string_view name) {
   }
   while (p < pattern.size() && pattern[p] == '*') ++p;
   return p == pattern.size();
+}
+
+bool overlap(std::string_view one, std::string_view other) {
+  // From the ends: whether the rests one[i..] and other[k..] have a name in common, for all k.
+  std::vector<char> next(other.size() + 1, 0);
+  for (std::size_t i = one.size() + 1; i-- > 0;) {
+    std::vector<char> rest(other.size() + 1, 0);
+    const bool starts = i < one.size() && one[i] == '*';
+    for (std::size_t k = other.size() + 1; k-- > 0;) {
+      const bool is_end = i == one.size() && k == other.size();
+      if (starts || (k < other.size() && other[k] == '*')) {
+        // A star ends here, or takes what the other pattern begins with.
+        rest[k] = static_cast<char>((i < one.size() && next[k] != 0) ||
+                                    (k < other.size() && rest[k + 1] != 0));
+      } else if (i < one.size() && k < other.size()) {
+        const bool same = one[i] == other[k] || one[i] == '?' || other[k] == '?';
+        rest[k] = static_cast<char>(same && next[k + 1] != 0);
+      } else {
+        rest[k] = static_cast<char>(is_end);
+      }
+    }
+    next.swap(rest);
+  }
+  return next.front() != 0;
 }
 
 }  // namespace hal

@@ -8,4 +8,7 @@ namespace hal {
 /// one.
 bool matches(std::string_view pattern, std::string_view name);
 
+/// Whether some name matches both patterns.
+bool overlap(std::string_view one, std::string_view other);
+
 }  // namespace hal

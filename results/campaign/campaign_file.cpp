@@ -71,9 +71,17 @@ void run_keys(Fields& io, CampaignFile& c) {
             kKeep, c.keep);
   io.choice({"controllers",
              "Where controllers run. in-process: in the process of the run, which is fastest; "
-             "spawn: in processes of their own, over DDS. The results are equal.",
+             "spawn: in processes of their own, over DDS. The results are equal. A scenario with a "
+             "controller `inside` its agent's network is always run with spawn.",
              "spawn"},
             kControllers, c.controllers);
+  io.text({"pace",
+           "How simulated time advances in the runs, as with `--pace`. lockstep: controllers are "
+           "waited for and programs held, so that runs of equal seeds are equal; realtime[:F]: it "
+           "follows the wall clock, F times as fast, and runs of equal seeds differ.",
+           "realtime:0.5"},
+          c.pace);
+  if (io.reading() != nullptr) c.pace_place = io.reading()->place("pace");
   io.given_count(
       {"jobs", "Number of simultaneous runs on this computer.", "4", "one for each processor"}, 1,
       1000, c.jobs);

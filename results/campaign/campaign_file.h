@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/files/description/fields.h"
@@ -24,6 +25,9 @@ enum class Design : std::uint8_t { kOnePoint, kGrid, kList, kLatinHypercube };
 std::string_view name_of(Design design);
 /// "common", "independent".
 std::string_view name_of(Seeds seeds);
+
+/// The pace of a campaign that sets none.
+inline constexpr std::string_view kLockstep = "lockstep";
 
 /// A value of a key that is varied.
 struct FactorValue {
@@ -60,7 +64,9 @@ struct CampaignFile {
   std::optional<hal::Duration> until{};
   Keep keep = Keep::kNone;
   RunControllers controllers = RunControllers::kInProcess;
-  std::optional<int> jobs{};  ///< Runs at the same time; none: as many as there are processors.
+  std::string pace{kLockstep};  ///< As for `baraka run --pace`; not checked by read_campaign().
+  std::string pace_place;       ///< "file:line:column".
+  std::optional<int> jobs{};    ///< Runs at the same time; none: as many as there are processors.
   SlurmSettings slurm{};
 
   Design design = Design::kOnePoint;

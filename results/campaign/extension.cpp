@@ -19,8 +19,8 @@ namespace results::campaign {
 namespace {
 
 /// Keys of the table `campaign` whose values must be the same for all runs.
-constexpr std::string_view kFixed[] = {"version", "design", "base_seed",
-                                       "seeds",   "until",  "sampled"};
+constexpr std::string_view kFixed[] = {"version", "design",  "base_seed", "seeds",
+                                       "until",   "sampled", "pace"};
 
 [[noreturn]] void refuse(const CampaignReader& reader, const std::string& why) {
   throw hal::files::config::ConfigErrors(
@@ -33,6 +33,12 @@ std::string value_of(const WantedRuns& wanted, std::string_view key) {
   const auto found = std::ranges::find(
       wanted.values, key, [](const auto& pair) { return std::string_view(pair.first); });
   return found == wanted.values.end() ? "" : found->second;
+}
+
+/// A value of the table `campaign`. Without a pace, which `--replications` and earlier versions do
+/// not write, the runs are in lock-step.
+std::string in_words(std::string_view key, const std::string& value) {
+  return key == "pace" && value.empty() ? std::string(kLockstep) : value;
 }
 
 /// Runs with different versions of a controller are not samples of the same population. As long as
@@ -58,7 +64,8 @@ std::int64_t replications_in(const std::string& text, const CampaignReader& read
 
 void require_same_values(const WantedRuns& wanted, CampaignReader& reader) {
   for (const std::string_view key : kFixed) {
-    const std::string before = reader.value(key), now = value_of(wanted, key);
+    const std::string before = in_words(key, reader.value(key));
+    const std::string now = in_words(key, value_of(wanted, key));
     if (before != now) refuse(reader, fmt::format("{}: there '{}', now '{}'", key, before, now));
   }
   require_same_programs(wanted, reader);

@@ -118,6 +118,9 @@ const std::vector<record::RunKey>& campaign_keys() {
       {"seeds", "", "'common': replication k has the same seed at every point; 'independent'"},
       {"until", "", "simulated time at which each run ends, or 'its end'"},
       {"controllers", "", "'in-process' or 'spawn'"},
+      {"pace", "",
+       "'lockstep', 'realtime' or 'realtime:F': how simulated time advances in its runs; not there "
+       "for `baraka run --replications`, which is in lock-step"},
       {"programs", "",
        "hashes of the files that play the runs, 64 bits in hexadecimal: of baraka, and of each "
        "controller's program and plug-in"},

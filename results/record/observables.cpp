@@ -10,10 +10,20 @@
 namespace results::record {
 namespace {
 
-bool is_rate(const sim::scenario::QuantityValue& value) { return value.quantity->is_rate; }
+template <class Source>
+bool is_rate(const Source& source) {
+  if (const auto* const quantity = std::get_if<sim::scenario::QuantityValue>(&source))
+    return quantity->quantity->is_rate;
+  const auto* const of = std::get_if<sim::scenario::TopicValue>(&source);
+  return of != nullptr && of->value == sim::scenario::DdsValue::kAirShare;
+}
 
 bool is_of_events(sim::scenario::Tally tally) {
   return sim::scenario::tally_kinds()[static_cast<std::size_t>(tally)].is_of_events;
+}
+
+bool is_of_air(sim::scenario::DdsValue value) {
+  return value == sim::scenario::DdsValue::kAirtime || value == sim::scenario::DdsValue::kAirShare;
 }
 
 bool is_for(const sim::radio::Frame& frame, hal::AgentId receiver) {
@@ -42,6 +52,7 @@ Observables::Observables(std::vector<sim::scenario::ObservableRequest> requests,
         sim::scenario::observables_of(agent, surroundings_.config);
     for (std::size_t i = 0; i < requests_.size(); ++i) add_matching(i, agent, all);
   }
+  begin_dds();
 }
 
 void Observables::add_matching(std::size_t request, const sim::agents::AgentConfig& agent,
@@ -84,6 +95,11 @@ void Observables::sort_in(std::size_t watch) {
   }
   const auto* tally = std::get_if<sim::scenario::Tally>(&of.source);
   if (tally != nullptr) begin_tallies();
+  const auto* topic = std::get_if<sim::scenario::TopicValue>(&of.source);
+  if (topic != nullptr && of.on_change && !is_of_air(topic->value)) {
+    of_topics_[{{of.agent, topic->topic}, topic->value}].push_back(watch);
+    return;
+  }
   if (!of.on_change) return;
   const bool happens = tally != nullptr && is_of_events(*tally);
   (happens ? events_[{of.agent, *tally}] : changing_[of.agent]).push_back(watch);
@@ -100,21 +116,25 @@ void Observables::begin_tallies() {
       });
 }
 
-std::optional<double> Observables::current(const Watch& watch) const {
+std::optional<double> Observables::current(const Watch& watch, hal::Time at) const {
   if (const auto* of = std::get_if<sim::scenario::QuantityValue>(&watch.source)) {
     return surroundings_.simulation.read(*of->quantity, watch.agent, of->number);
   }
   if (const auto* tally = std::get_if<sim::scenario::Tally>(&watch.source)) {
     return tallies_->value(watch.agent, *tally);
   }
+  if (const auto* of = std::get_if<sim::scenario::TopicValue>(&watch.source)) {
+    const bool is_share = of->value == sim::scenario::DdsValue::kAirShare;
+    return dds_->value(at, {watch.agent, of->topic},
+                       is_share ? sim::scenario::DdsValue::kAirtime : of->value);
+  }
   return watch.held;
 }
 
 /// The current value; for a rate, the mean rate since the last call.
 std::optional<double> Observables::value(Watch& watch, hal::Time at) {
-  const std::optional<double> now = current(watch);
-  const auto* quantity = std::get_if<sim::scenario::QuantityValue>(&watch.source);
-  if (quantity == nullptr || !is_rate(*quantity) || !now) return now;
+  const std::optional<double> now = current(watch, at);
+  if (!is_rate(watch.source) || !now) return now;
   const auto from = std::exchange(watch.rate_from, std::pair{at, *now});
   if (!from || from->first >= at) return std::nullopt;
   return (*now - from->second) / hal::to_seconds(at - from->first);
@@ -138,6 +158,7 @@ hal::Time Observables::due() const {
 }
 
 void Observables::look(hal::Time at) {
+  if (dds_) dds_->find_transmitters();
   for (Period& period : periods_) {
     if (period.due > at) continue;
     for (const std::size_t watch : period.watches) take_sample(*watches_[watch], at);
@@ -244,13 +265,12 @@ const Observables::Watches& Observables::recorded(hal::AgentId agent, std::strin
   if (known != of_agent.end()) return known->second;
   const std::string value(name);
   of_agent[value];  // also if nobody asked for it
-  const auto config =
-      std::ranges::find(surroundings_.config.agents, agent, &sim::agents::AgentConfig::id);
+  const sim::agents::AgentConfig& config = config_of(agent);
   for (std::size_t i = 0; i < requests_.size(); ++i) {
     const auto pattern = sim::scenario::ObservablePattern::of(requests_[i].name);
     if (pattern->domain != sim::scenario::kControllersDomain) continue;
-    if (!pattern->has_agent(config->name) || !pattern->has_value(value)) continue;
-    add(i, *config,
+    if (!pattern->has_agent(config.name) || !pattern->has_value(value)) continue;
+    add(i, config,
         {.domain = std::string(sim::scenario::kControllersDomain),
          .value = value,
          .unit = surroundings_.unit_of ? surroundings_.unit_of(agent, value) : "",

@@ -13,6 +13,7 @@
 
 #include "results/record/commits.h"
 #include "results/record/database.h"
+#include "results/record/dds_values.h"
 #include "results/record/observed_value.h"
 #include "results/record/tallies.h"
 #include "results/record/topic_writer.h"
@@ -27,7 +28,8 @@ namespace results::record {
 /// sampled from time 0 on after all events of that instant, or it is on change. On change, an event
 /// (a delay, a value that a controller records) is kept each time it happens; any other observable
 /// is compared at the agent's control instants and kept if its value has changed. Readings are
-/// those of the agent's latest control instant.
+/// those of the agent's latest control instant. Of DDS topics, counts and latencies are kept when a
+/// sample is sent or arrives.
 class Observables final : public TopicWriter, public sim::agents::Sampler {
  public:
   struct Surroundings {
@@ -37,6 +39,7 @@ class Observables final : public TopicWriter, public sim::agents::Sampler {
     Commits& commits;
     /// Unit of a value that an agent's controller records, by agent and name; "": not known.
     std::function<std::string(hal::AgentId, const std::string&)> unit_of;
+    sim::air::Ledger* ledger = nullptr;  ///< Null: no agent has a network. Outlives this object.
   };
 
   Observables(std::vector<sim::scenario::ObservableRequest> requests, Surroundings surroundings);
@@ -72,7 +75,7 @@ class Observables final : public TopicWriter, public sim::agents::Sampler {
     hal::AgentId agent;
     bool on_change = false;
     std::variant<sim::scenario::QuantityValue, sim::scenario::Tally, sim::scenario::ReadingValue,
-                 sim::scenario::RecordedValue>
+                 sim::scenario::RecordedValue, sim::scenario::TopicValue>
         source;
     ObservedValue kept;
     std::optional<double> held{};  ///< Latest reading or recorded value.
@@ -95,8 +98,12 @@ class Observables final : public TopicWriter, public sim::agents::Sampler {
            const sim::scenario::Observable& observable);
   void sort_in(std::size_t watch);
   void begin_tallies();
+  void begin_dds();
+  void add_topic(const DdsValues::Place& place, sim::scenario::DdsSide side);
+  void on_dds(hal::Time at, const DdsValues::Place& place, sim::scenario::DdsValue value);
+  const sim::agents::AgentConfig& config_of(hal::AgentId agent) const;
   const Watches& recorded(hal::AgentId agent, std::string_view name);
-  std::optional<double> current(const Watch& watch) const;
+  std::optional<double> current(const Watch& watch, hal::Time at) const;
   std::optional<double> value(Watch& watch, hal::Time at);
   void take_sample(Watch& watch, hal::Time at);
   void keep(Watch& watch, hal::Time at, double value);
@@ -107,9 +114,12 @@ class Observables final : public TopicWriter, public sim::agents::Sampler {
   std::vector<std::unique_ptr<Watch>> watches_;
   std::vector<Period> periods_;               ///< By request; never due if it is on change.
   std::unique_ptr<Tallies> tallies_;          ///< Null: no request needs them.
+  std::unique_ptr<DdsValues> dds_;            ///< Null: no request needs them.
   std::map<hal::AgentId, Watches> changing_;  ///< Compared at control instants.
   std::map<std::pair<hal::AgentId, std::string>, Watches> readings_;  ///< By channel.
   std::map<std::pair<hal::AgentId, sim::scenario::Tally>, Watches> events_;
+  /// Values of topics that are kept on change.
+  std::map<std::pair<DdsValues::Place, sim::scenario::DdsValue>, Watches> of_topics_;
   std::map<hal::AgentId, std::map<std::string, Watches, std::less<>>> recorded_;
 };
 

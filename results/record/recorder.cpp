@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hal/types/log.h"
+#include "results/record/air_log.h"
 #include "results/record/observables.h"
 #include "results/record/schema.h"
 
@@ -17,6 +18,8 @@ std::string_view kind_of(const sim::agents::AgentConfig& agent) {
   if (!has_body(agent)) return "station";
   return is_robot(agent) ? "robot" : "mote";
 }
+
+sim::air::Ledger* ledger_of(AirLog* air) { return air == nullptr ? nullptr : &air->ledger(); }
 
 }  // namespace
 
@@ -34,8 +37,10 @@ Recorder::Recorder(const std::filesystem::path& file, const sim::agents::Simulat
   ObserverList::add(frame_digest_);
   database_.execute("BEGIN");
   describe(config);
-  add_countable(sim::scenario::countable_of(config, options_.counts_frames(),
-                                            options_.messages != sim::scenario::Detail::kNone));
+  add_countable(sim::scenario::countable_of(
+      config, {.frames = options_.counts_frames(),
+               .messages = options_.messages != sim::scenario::Detail::kNone,
+               .samples = options_.samples != sim::scenario::Detail::kNone}));
   commit();
 }
 
@@ -132,7 +137,8 @@ Observables& Recorder::observe(
                                                      .config = config,
                                                      .database = database_,
                                                      .commits = commits_,
-                                                     .unit_of = std::move(unit_of)});
+                                                     .unit_of = std::move(unit_of),
+                                                     .ledger = ledger_of(find<AirLog>())});
   Observables& one = *observables;
   commits_.add(std::move(observables));
   return one;

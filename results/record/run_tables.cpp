@@ -55,9 +55,9 @@ std::vector<Table> countable_tables() {
        "is 0; a word not listed here was not counted in this run",
        {{"family", "TEXT NOT NULL", "",
          "what is counted, as in the first part of the names that `baraka describe observables` "
-         "lists: 'frames', 'receptions', 'requests', 'messages.ends', 'routing.events', 'states', "
-         "'controllers'; if there is no row for frames or messages, they were not counted in this "
-         "run"},
+         "lists: 'frames', 'receptions', 'requests', 'messages.ends', 'routing.events', 'air', "
+         "'dds.lost' (samples of all topics), 'states', 'controllers'; if there is no row for "
+         "frames, messages or samples, they were not counted in this run"},
         {"program", "TEXT NOT NULL", "",
          "states, controllers: the controller that declares it, of the agents with that program; "
          "else ''"},

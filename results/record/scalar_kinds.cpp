@@ -1,6 +1,7 @@
 // The scalars that every run has. The file is long because it lists them all.
 #include <fmt/format.h>
 
+#include "results/record/dds_scalars.h"
 #include "results/record/scalars.h"
 
 namespace results::record {
@@ -280,7 +281,7 @@ const std::vector<ScalarKind>& scalar_kinds() {
     std::vector<ScalarKind> sum;
     for (const auto& part :
          {run_scalars(), message_scalars(), broadcast_scalars(), topic_scalars(), network_scalars(),
-          body_scalars(), use_scalars(), controller_scalars()}) {
+          dds_scalars(), body_scalars(), use_scalars(), controller_scalars()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

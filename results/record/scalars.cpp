@@ -7,11 +7,28 @@
 #include <set>
 #include <utility>
 
+#include "results/record/topic_name.h"
+#include "sim/scenario/dds_value.h"
+
 namespace results::record {
 namespace {
 
+bool is_of_dds(std::string_view name) {
+  return name.starts_with(sim::scenario::kDdsDomain) &&
+         name.substr(sim::scenario::kDdsDomain.size()).starts_with('.');
+}
+
+/// "dds.TOPIC.VALUE", where the topic may contain dots.
+std::string topic_value_name(const std::string& name) {
+  const std::size_t begin = sim::scenario::kDdsDomain.size() + 1;
+  const std::size_t end = std::max(begin, name.rfind('.'));
+  return name.substr(0, begin) + topic_part(std::string_view(name).substr(begin, end - begin)) +
+         name.substr(end);
+}
+
 /// Applies name_part() to each part: the name of a value that a controller records is arbitrary.
 std::string observable_name(const std::string& name) {
+  if (is_of_dds(name)) return topic_value_name(name);
   std::string result;
   for (std::size_t begin = 0; begin <= name.size();) {
     const std::size_t end = std::min(name.find('.', begin), name.size());
@@ -41,6 +58,7 @@ class Names {
   std::string in_family(std::string_view family, const std::string& word) {
     const auto [head, tail] = *around_word(family);
     const std::string domain(head);
+    if (is_of_dds(family)) return (domain + topic_part(word)).append(tail);
     return of(domain + word, domain + name_part(word)).append(tail);
   }
 
@@ -58,8 +76,18 @@ class Names {
   std::set<std::string> taken_;
 };
 
+/// The name of a scalar. @param rows  at a row of the kind's query.
+std::string name_of(const ScalarKind& kind, Names& names, const Statement& rows) {
+  const auto first = around_word(kind.name);
+  if (!first) return std::string(kind.name);
+  std::string name = names.in_family(kind.name, rows.text(2));
+  const auto second = around_word(first->second);
+  if (!second) return name;
+  name.resize(name.size() - first->second.size());
+  return name.append(second->first).append(name_part(rows.text(3))).append(second->second);
+}
+
 void read(RunReader& reader, const ScalarKind& kind, Names& names, std::vector<Scalar>& to) {
-  const bool is_family = around_word(kind.name).has_value();
   Statement rows = reader.query(kind.query);
   while (rows.next()) {
     if (rows.is_null(1)) continue;
@@ -67,11 +95,10 @@ void read(RunReader& reader, const ScalarKind& kind, Names& names, std::vector<S
     if (!std::isfinite(value)) continue;
     if (value < 0 && ::results::record::range_of(kind.name) != Range::kAny)
       rows.refuse(1, "negative");
-    to.push_back(
-        {.name = is_family ? names.in_family(kind.name, rows.text(2)) : std::string(kind.name),
-         .unit = std::string(kind.unit),
-         .agent = rows.text(0),
-         .value = value});
+    to.push_back({.name = name_of(kind, names, rows),
+                  .unit = std::string(kind.unit),
+                  .agent = rows.text(0),
+                  .value = value});
   }
 }
 

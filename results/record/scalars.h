@@ -13,7 +13,8 @@ namespace results::record {
 
 /// One result of a run that is a single number.
 struct Scalar {
-  std::string name;   ///< Stable: lower case, digits, '_' and dots, as in scalar_kinds().
+  /// Stable: lower case, digits, '_' and dots, as in scalar_kinds(); DDS topics by topic_part().
+  std::string name;
   std::string unit;   ///< "s", "m", "J", …; "1": a share or a count.
   std::string agent;  ///< Name of the agent; "": of the run.
   double value = 0;   ///< Finite.
@@ -29,16 +30,17 @@ enum class Range : std::uint8_t {
 
 /// A scalar that the result of every run has, or a family of such scalars.
 struct ScalarKind {
-  /// The name of a family contains a word in capitals: "messages.ends.VERDICT".
+  /// The name of a family contains a word in capitals, "messages.ends.VERDICT", or two.
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
   /// SQL on the tables of the result. Each row has the agent's name ("": of the run), the value
-  /// (null: none) and, in a family, the word that replaces the word in capitals.
+  /// (null: none) and, in a family, the words that replace the words in capitals.
   std::string query;
   /// None: kCount if the unit is "1", kAny without a unit, else kNotNegative.
   std::optional<Range> range{};
-  /// For a share: name of the scalar that is the number of trials; "": there is none.
+  /// For a share: name of the scalar that is the number of trials, in a family with the same words;
+  /// "": there is none.
   std::string_view trials = "";
   /// For a family of counts and times: its words are not known in advance. A run without any count
   /// of a word may not know that word, although other runs of the same controllers do.
@@ -48,12 +50,15 @@ struct ScalarKind {
 /// All kinds: what `baraka describe observables` lists, and what scalars_of() reads.
 const std::vector<ScalarKind>& scalar_kinds();
 
-/// The text before and after the word in capitals in the name of a family: "topics." and ".sent".
-/// None: it is not the name of a family.
+/// The text before and after the first word in capitals in the name of a family: "topics." and
+/// ".sent". None: it is not the name of a family.
 std::optional<std::pair<std::string_view, std::string_view>> around_word(std::string_view family);
 
 /// The kind or family to which a scalar of that name belongs; null: it comes from an observable.
 const ScalarKind* scalar_kind_of(std::string_view name);
+
+/// Name of the scalar that is the number of trials of the share of that name; "": there is none.
+std::string trials_of(std::string_view name);
 
 /// Range of the scalar of that name, or of an observable and each of its values. kAny if nothing is
 /// known.
@@ -66,8 +71,9 @@ Range range_of(std::string_view name);
 /// collisions with a radio model without collisions.
 ///
 /// Name and agent together are unique. Where words of controllers and scenarios become equal by
-/// name_part(), the later ones in their order get the suffix "_2", "_3", …. If an observable is
-/// kept several times in one way, the first one counts.
+/// name_part(), the later ones in their order get the suffix "_2", "_3", …. DDS topics are told by
+/// topic_part(), whatever other topics there are. If an observable is kept several times in one
+/// way, the first one counts.
 ///
 /// The result depends only on the simulated course of the run: equal fingerprints give equal
 /// scalars.

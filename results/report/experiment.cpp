@@ -44,19 +44,28 @@ void complete(std::map<std::size_t, double>& by_run, const std::vector<std::size
   }
 }
 
+/// The values of a quantity that runs as a whole have.
+template <class Values>
+std::map<std::size_t, double> of_runs(const Values& values, const char* name) {
+  const auto found = values.find({name, ""});
+  return found == values.end() ? std::map<std::size_t, double>() : found->second;
+}
+
 }  // namespace
 
 void Experiment::complete_open_counts() {
   const auto parts = runs_of_equal_controllers(*this);
-  const auto sent = values.find({"messages.sent", ""});  // only runs that count messages have it
-  const auto counts_messages =
-      sent == values.end() ? std::map<std::size_t, double>() : sent->second;
+  // Only runs that count messages, or samples, have these.
+  const std::map<std::size_t, double> with_messages = of_runs(values, "messages.sent");
+  const std::map<std::size_t, double> with_samples = of_runs(values, "dds.samples");
   for (auto& [quantity, by_run] : values) {
     const record::ScalarKind* const kind = record::scalar_kind_of(quantity.name);
     if (kind == nullptr || !kind->is_open) continue;
     const bool is_of_messages = kind->name.starts_with("topics.");
+    const bool is_of_samples = kind->name.starts_with("dds.");
     const auto counts = [&](std::size_t run) {
-      return !is_of_messages || counts_messages.contains(run);
+      return (!is_of_messages || with_messages.contains(run)) &&
+             (!is_of_samples || with_samples.contains(run));
     };
     for (const std::vector<std::size_t>& equal : parts) complete(by_run, equal, counts);
   }

@@ -196,9 +196,7 @@ std::optional<Selected> select(const Experiment& experiment, const std::string& 
   std::optional<Selected> selected = values_of(experiment, name, agent);
   if (!selected) return selected;
   selected->support = support_of(name);
-  const record::ScalarKind* const kind = record::scalar_kind_of(name);
-  if (kind == nullptr || kind->trials.empty()) return selected;
-  const auto trials = experiment.values.find({std::string(kind->trials), agent});
+  const auto trials = experiment.values.find({record::trials_of(name), agent});
   if (trials != experiment.values.end()) selected->trials = trials->second;
   return selected;
 }

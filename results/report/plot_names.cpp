@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hal/files/config/suggest.h"
+#include "results/record/topic_name.h"
 #include "results/report/plot.h"
 #include "sim/scenario/observable.h"
 
@@ -75,6 +76,11 @@ std::optional<std::string> without_domain(const Experiment& experiment, const st
   throw std::runtime_error(fmt::format("{}: which of {}?", name, fmt::join(found, ", ")));
 }
 
+/// A name without its domain as `record: {observables: …}` writes it.
+std::string as_written(const std::string& domain, const std::string& name) {
+  return domain == sim::scenario::kDdsDomain ? record::topic_of_part(name) : name;
+}
+
 /// Quantities that match a pattern of `record: {observables: …}`, without endings such as ".mean".
 std::set<std::string> observed(const Experiment& experiment,
                                const sim::scenario::ObservablePattern& pattern) {
@@ -83,7 +89,8 @@ std::set<std::string> observed(const Experiment& experiment,
     if (!name.starts_with(pattern.domain + ".")) continue;
     const std::string value = after_domain(name);
     const std::string base = value.ends_with(".mean") ? value.substr(0, value.size() - 5) : value;
-    if (pattern.has_value(base)) names.insert(pattern.domain + "." + base);
+    if (pattern.has_value(as_written(pattern.domain, base)))
+      names.insert(pattern.domain + "." + base);
   }
   return names;
 }

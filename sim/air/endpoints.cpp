@@ -60,7 +60,7 @@ void Endpoints::place(const hal::rtps::GuidPrefix& participant, hal::AgentId age
   if (waiting == unplaced_.end()) return;
   for (const EndpointIndex index : waiting->second) {
     all_[index].agent = agent;
-    if (all_[index].topic != 0) told_.push_back(index);
+    if (all_[index].topic != 0) tell(index);
   }
   unplaced_.erase(waiting);
 }
@@ -104,10 +104,15 @@ EndpointIndex Endpoints::learn(hal::Time at, const DiscoveredEndpoint& told) {
   endpoint.partitions = to_partitions(told);
   endpoint.is_gone = false;
   if (!endpoint.told_at) endpoint.told_at = at;
-  if (is_new) told_.push_back(index);
   if (is_new && endpoint.topic != 0 && told.guid.entity.is_reader())
     readers_[endpoint.topic].push_back(index);
+  if (is_new) tell(index);
   return index;
+}
+
+void Endpoints::tell(EndpointIndex endpoint) {
+  told_.push_back(endpoint);
+  if (on_told_) on_told_(endpoint);
 }
 
 void Endpoints::remove(const Guid& guid) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -70,14 +71,19 @@ class Endpoints {
   /// Endpoints that SEDP announced, or whose agent became known, since the last call.
   std::vector<EndpointIndex> take_told() { return std::exchange(told_, {}); }
 
+  /// @param told  called with each of these at once, too.
+  void set_on_told(std::function<void(EndpointIndex)> told) { on_told_ = std::move(told); }
+
   const std::vector<Endpoint>& all() const { return all_; }           ///< Index 0 is unused.
   const std::vector<std::string>& topics() const { return topics_; }  ///< Index 0 is "".
 
  private:
   std::uint32_t topic_called(std::string_view name);
+  void tell(EndpointIndex endpoint);
 
   std::vector<Endpoint> all_;
   std::vector<EndpointIndex> told_;
+  std::function<void(EndpointIndex)> on_told_;
   std::map<hal::rtps::Guid, EndpointIndex> indices_;
   std::map<hal::rtps::GuidPrefix, hal::AgentId> participants_;
   std::map<hal::rtps::GuidPrefix, std::vector<EndpointIndex>> unplaced_;

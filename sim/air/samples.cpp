@@ -60,6 +60,20 @@ bool Samples::is_for(const DatagramPart& part, hal::AgentId destination,
   return !agent || *agent == receiver;
 }
 
+std::uint32_t Samples::Progress::send(const DatagramPart& part, std::uint64_t serial) {
+  if (first.empty()) return part.fragments;
+  std::uint32_t repeated = 0;
+  const auto [begin, end] = range_of(part, first.size());
+  for (std::uint32_t i = begin; i < end; ++i) {
+    if (first[i] == 0) {
+      first[i] = serial;
+    } else {
+      ++repeated;
+    }
+  }
+  return repeated;
+}
+
 void Samples::on_sent(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                       hal::AgentId destination) {
   now_ = at;
@@ -69,20 +83,20 @@ void Samples::on_sent(hal::Time at, const Datagram& datagram, const DatagramPart
   sample->last_sent = at;
   for (Progress& progress : sample->to) {
     if (!is_for(part, destination, progress.delivery.receiver)) continue;
-    progress.was_sent = true;
-    if (progress.first.empty()) {
-      progress.delivery.repairs += part.fragments;
-      continue;
-    }
-    const auto [begin, end] = range_of(part, progress.first.size());
-    for (std::uint32_t i = begin; i < end; ++i) {
-      if (progress.first[i] == 0) {
-        progress.first[i] = datagram.serial;
-      } else {
-        ++progress.delivery.repairs;
-      }
-    }
+    const std::uint32_t repairs = progress.send(part, datagram.serial);
+    progress.delivery.repairs += repairs;
+    const bool is_new = !std::exchange(progress.was_sent, true);
+    if (watcher_ != nullptr) tell_sent(at, *sample, progress, is_new, repairs);
   }
+}
+
+void Samples::tell_sent(hal::Time at, const Sample& sample, const Progress& progress, bool is_new,
+                        std::uint32_t repairs) {
+  if (is_new) {
+    const auto sent_to = std::ranges::count_if(sample.to, &Progress::was_sent);
+    watcher_->on_sample_sent(at, progress.delivery, sent_to == 1);
+  }
+  if (repairs > 0) watcher_->on_sample_repair(at, progress.delivery, repairs);
 }
 
 bool Samples::is_for(const Whom& whom, hal::AgentId receiver) const {
@@ -149,6 +163,7 @@ void Samples::on_received(hal::Time at, const Datagram& datagram, const Datagram
     if (progress.missing > 0) continue;
     progress.delivery.left = at;
     release(progress);
+    if (watcher_ != nullptr && progress.was_sent) watcher_->on_sample_delivered(progress.delivery);
   }
 }
 

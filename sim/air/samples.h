@@ -35,6 +35,21 @@ struct SampleDelivery {
   bool is_under_way = false;         ///< Neither delivered nor lost when the run ended.
 };
 
+/// Is told what happens to samples at the time when it happens. Its totals at the end of a run are
+/// those of SampleSums.
+class SampleWatcher {
+ public:
+  virtual ~SampleWatcher() = default;
+  /// A sample was sent to the receiver for the first time. @param is_first  and to no other before.
+  virtual void on_sample_sent(hal::Time at, const SampleDelivery& sample, bool is_first) = 0;
+  /// The sample, or some of its fragments, was sent to the receiver again.
+  /// @param repairs  number, as counted by SampleDelivery::repairs.
+  virtual void on_sample_repair(hal::Time at, const SampleDelivery& sample,
+                                std::uint32_t repairs) = 0;
+  /// It has arrived completely, at `sample.left`.
+  virtual void on_sample_delivered(const SampleDelivery& sample) = 0;
+};
+
 /// Counts for the samples from one writer to one agent.
 struct SampleSums {
   std::uint64_t samples = 0;  ///< Settled samples that were sent there while a reader was matched.
@@ -71,6 +86,8 @@ class Samples {
 
   /// @param sink  called with each delivery or loss when it is settled.
   void set_sink(Sink sink) { sink_ = std::move(sink); }
+  /// @param watcher  must outlive the calls of on_sent() and on_received().
+  void set_watcher(SampleWatcher& watcher) { watcher_ = &watcher; }
 
   /// A part of a datagram left the sender's interface.
   /// @param destination  kEveryone: sent to a group.
@@ -123,6 +140,8 @@ class Samples {
 
     /// Records the fragments of a part, which arrived in the datagram with that serial number.
     void take(const DatagramPart& part, std::uint64_t serial);
+    /// Records the fragments of a part that is sent. @return number of those sent before.
+    std::uint32_t send(const DatagramPart& part, std::uint64_t serial);
   };
   struct Sample {
     hal::Time last_sent{};
@@ -134,6 +153,8 @@ class Samples {
   bool is_old(const DatagramPart& part) const;
   Sample* begin(hal::Time at, const DatagramPart& part);
   bool is_for(const DatagramPart& part, hal::AgentId destination, hal::AgentId receiver) const;
+  void tell_sent(hal::Time at, const Sample& sample, const Progress& progress, bool is_new,
+                 std::uint32_t repairs);
   void release(Progress& progress);
   void settle_front(bool is_end);
   void settle(Sample& sample, bool is_end);
@@ -144,6 +165,7 @@ class Samples {
 
   const Endpoints& endpoints_;
   Sink sink_;
+  SampleWatcher* watcher_ = nullptr;
   std::map<SampleKey, Sample> open_;
   std::deque<SampleKey> order_;
   std::size_t open_fragments_ = 0;                 ///< See kMostOpenFragments.

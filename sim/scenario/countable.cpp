@@ -6,6 +6,8 @@
 
 #include "hal/node/routing/possible_events.h"
 #include "hal/types/verdict.h"
+#include "sim/air/air_kind.h"
+#include "sim/air/sample_loss.h"
 #include "sim/radio/mac/frame_class.h"
 #include "sim/radio/possible_verdicts.h"
 
@@ -80,17 +82,35 @@ void add_routing(const agents::SimulationConfig& config, Words& words) {
   for (const auto event : events) words.add("routing.events", hal::node::routing::name(event));
 }
 
+/// Purposes of what is on the air, and causes of losses of samples: outcomes of the frames and
+/// requests that carried them, or those of sim::air::LossCause.
+void add_air(const agents::SimulationConfig& config, bool samples, Words& words) {
+  for (int i = 0; i < air::kPurposes; ++i)
+    words.add("air", air::name(static_cast<air::Purpose>(i)));
+  if (!samples) return;
+  std::set<std::string_view> causes{air::name(air::LossCause::Kind::kNotMatched),
+                                    air::name(air::LossCause::Kind::kUnknown)};
+  for (const Verdict verdict : radio::reception_verdicts(config.radio))
+    causes.insert(hal::name(verdict));
+  for (const Verdict verdict : radio::request_verdicts(config.radio, has_access_points(config)))
+    causes.insert(hal::name(verdict));
+  causes.erase(hal::name(Verdict::kDelivered));
+  for (const std::string_view cause : causes) words.add("dds.lost", cause);
+}
+
 }  // namespace
 
-std::vector<Countable> countable_of(const agents::SimulationConfig& config, bool frames,
-                                    bool messages) {
+std::vector<Countable> countable_of(const agents::SimulationConfig& config,
+                                    const Counted& counted) {
   Words words;
-  if (frames) add_frames(config, words);
-  if (messages) {
+  if (counted.frames) add_frames(config, words);
+  if (counted.messages) {
     words.add_verdicts("messages.ends", kMessageVerdicts);
     words.add("messages.ends", "under way");
   }
   add_routing(config, words);
+  if (std::ranges::any_of(config.agents, [](const auto& one) { return one.network.has_value(); }))
+    add_air(config, counted.samples, words);
   return words.take();
 }
 

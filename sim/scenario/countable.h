@@ -14,11 +14,15 @@ struct Countable {
   std::string word;     ///< As in the other tables: "retry limit".
 };
 
+/// What a run counts.
+struct Counted {
+  bool frames = true, messages = true;
+  bool samples = true;  ///< Of DDS, if an agent has a network.
+};
+
 /// All countable words except those that controllers declare. They depend on the profile of the
 /// radio and on the routing of a run, not on the values of their keys, so that runs can be compared
 /// in some of which a count is 0.
-/// @param frames,messages  whether frames and messages are counted.
-std::vector<Countable> countable_of(const agents::SimulationConfig& config, bool frames,
-                                    bool messages);
+std::vector<Countable> countable_of(const agents::SimulationConfig& config, const Counted& counted);
 
 }  // namespace sim::scenario

@@ -136,6 +136,7 @@ std::vector<std::string> observable_domains() {
   };
   for (const agents::Quantity& quantity : agents::quantities()) add(quantity.domain);
   for (const TallyKind& kind : tally_kinds()) add(kind.domain);
+  add(kDdsDomain);
   add(kSensorsDomain);
   add(kControllersDomain);
   return domains;
@@ -151,6 +152,10 @@ std::vector<ObservableKind> observable_kinds() {
   kinds.push_back({"agents.AGENT.battery", "1", "state of charge that its gauge shows, 0 to 1"});
   for (const TallyKind& one : tally_kinds()) {
     kinds.push_back({fmt::format("{}.AGENT.{}", one.domain, one.name), std::string(one.unit),
+                     std::string(one.meaning)});
+  }
+  for (const DdsValueKind& one : dds_value_kinds()) {
+    kinds.push_back({fmt::format("{}.AGENT.TOPIC.{}", kDdsDomain, one.name), std::string(one.unit),
                      std::string(one.meaning)});
   }
   kinds.push_back({"sensors.AGENT.CHANNEL.VALUE", "",

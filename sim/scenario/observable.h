@@ -16,6 +16,7 @@
 #include "hal/types/time.h"
 #include "sim/agents/quantities.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/scenario/dds_value.h"
 #include "sim/scenario/tally.h"
 
 namespace sim::scenario {
@@ -66,16 +67,22 @@ struct RecordedValue {
   std::string name;
 };
 
+/// A value of a DDS topic.
+struct TopicValue {
+  std::uint32_t topic = 0;  ///< Index into air::Endpoints::topics().
+  DdsValue value{};
+};
+
 /// A value of one agent that can be observed.
 struct Observable {
   std::string domain;  ///< "agents"
   std::string value;   ///< "x"
   std::string unit;    ///< "m"; "" if only the controller knows it.
-  std::variant<QuantityValue, Tally, ReadingValue, RecordedValue> source;
+  std::variant<QuantityValue, Tally, ReadingValue, RecordedValue, TopicValue> source;
 };
 
 /// Everything that can be observed of an agent, except what its controller records, which only the
-/// controller knows.
+/// controller knows, and the values of DDS topics, which are known when they are announced.
 std::vector<Observable> observables_of(const agents::AgentConfig& agent,
                                        const agents::SimulationConfig& config);
 

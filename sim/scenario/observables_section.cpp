@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hal/files/config/suggest.h"
+#include "hal/types/pattern.h"
 #include "sim/scenario/fields.h"
 
 namespace sim::scenario {
@@ -102,6 +103,11 @@ std::set<std::string> values_of(const ObservablePattern& pattern, const Scenario
   return values;
 }
 
+/// Whether values of a domain become known during the run only.
+bool is_known_later(const std::string& domain) {
+  return domain == kControllersDomain || domain == kDdsDomain;
+}
+
 bool has_agent_like(const ObservablePattern& pattern, const Scenario& scenario) {
   return std::ranges::any_of(scenario.simulation.agents, [&](const agents::AgentConfig& agent) {
     return pattern.has_agent(agent.name);
@@ -112,6 +118,35 @@ std::vector<std::string> agent_names(const Scenario& scenario) {
   std::vector<std::string> names;
   for (const agents::AgentConfig& agent : scenario.simulation.agents) names.push_back(agent.name);
   return names;
+}
+
+std::set<std::string> names_of_dds_values() {
+  std::set<std::string> names;
+  for (const DdsValueKind& kind : dds_value_kinds()) names.emplace(kind.name);
+  return names;
+}
+
+/// What is wrong with the name of a value of DDS topics, which are not known yet; empty if nothing
+/// is.
+std::string mistake_in_dds(const ObservablePattern& pattern, const Scenario& scenario) {
+  bool has_network = false;
+  for (const DdsValueKind& kind : dds_value_kinds()) {
+    for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+      if (!pattern.has_agent(agent.name) || !has_dds(agent, scenario.simulation, kind.side))
+        continue;
+      has_network = true;
+      if (hal::overlap(pattern.value, dds_value_name("*?", kind))) return {};
+    }
+  }
+  if (!has_network) {
+    return fmt::format("{} have no programs with a `network`, and so no DDS topics",
+                       pattern.agents);
+  }
+  const std::set<std::string> names = names_of_dds_values();
+  const std::string last = pattern.value.substr(pattern.value.rfind('.') + 1);
+  return fmt::format("'{}' must be TOPIC.VALUE, with one of the values {} that {} have{}",
+                     pattern.value, fmt::join(names, ", "), pattern.agents,
+                     hal::files::config::suggestion(last, {names.begin(), names.end()}));
 }
 
 /// What is wrong with the name; empty if nothing is.
@@ -127,6 +162,7 @@ std::string mistake_in(const ObservablePattern& pattern, const std::set<std::str
     return fmt::format("'{}' matches no agent{}", pattern.agents,
                        suggestion(pattern.agents, agent_names(scenario)));
   }
+  if (pattern.domain == kDdsDomain) return mistake_in_dds(pattern, scenario);
   if (pattern.domain == kControllersDomain || !matching.empty()) return {};
   return fmt::format("{} have no '{}' in {}{}; `baraka describe observables` lists all",
                      pattern.agents, pattern.value, pattern.domain,
@@ -148,7 +184,7 @@ void judge_name(Mapping& in, const ObservableRequest& request, const Scenario& s
   if (std::string what = mistake_in(*pattern, values, matching, scenario); !what.empty()) {
     in.mistake("name", std::move(what));
   }
-  if (pattern->domain == kControllersDomain) matching = {request.name};
+  if (is_known_later(pattern->domain)) matching = {request.name};
   for (const std::string& one : matching) {
     const std::string way = fmt::format("{}.{} as {}", pattern->domain, one, name(request.keeps));
     const auto [other, is_new] = taken.emplace(way, in.place("name"));

@@ -12,6 +12,7 @@ namespace baraka::run::check {
 namespace {
 
 constexpr double kLeastFactor = 1e-3, kMostFactor = 1e5;
+constexpr double kLeastFactorOfPrograms = 0.01;
 
 }  // namespace
 
@@ -28,6 +29,15 @@ std::optional<double> real_time_factor(const std::string& pace) {
         kLeastFactor, kMostFactor));
   }
   return *factor;
+}
+
+void require_pace_for_programs(const std::string& pace) {
+  const std::optional<double> factor = real_time_factor(pace);
+  if (!factor || (*factor >= kLeastFactorOfPrograms && *factor <= 1)) return;
+  throw gateway::process::UsageError(fmt::format(
+      "--pace: realtime:{}: with agents that have a network, F must be from {} to 1: their "
+      "programs can be slowed, not hastened",
+      *factor, kLeastFactorOfPrograms));
 }
 
 programs::netns::ProgramTime program_time(const std::string& pace) {

@@ -20,7 +20,7 @@ using hal::Verdict;
 std::set<std::string> words(const sim::agents::SimulationConfig& config,
                             const std::string& family) {
   std::set<std::string> found;
-  for (const sim::scenario::Countable& one : sim::scenario::countable_of(config, true, true)) {
+  for (const sim::scenario::Countable& one : sim::scenario::countable_of(config, {})) {
     if (one.family == family) found.insert(one.word);
   }
   return found;
