@@ -67,7 +67,7 @@ class Ears:
         return {line["participant"]: bytes.fromhex(line["user_data"]) for line in self.lines if "user_data" in line}
 
 
-def program(name, words, start=None):
+def program_of(name, words, start=None):
     command = ", ".join(json.dumps(str(word)) for word in words)
     return f"{{name: {name}, command: [{command}]{f', start: {start}' if start else ''}}}"
 
@@ -75,7 +75,7 @@ def program(name, words, start=None):
 def listen(case, endpoints, *, settings=(), more=(), scenario=SCENARIO, start=None):
     """Runs the scenario with a listener that has these endpoints, and gives what it heard."""
     words = [",".join([kind, message, topic, *qos.words()]) for kind, message, topic, qos in endpoints]
-    programs = ", ".join([program("ears", ["ros_endpoints", "0", *words], start), *more])
+    programs = ", ".join([program_of("ears", ["ros_endpoints", "0", *words], start), *more])
     changes = [f"agents.listener.programs=[{programs}]", *settings]
     case.run_baraka(scenario, "--no-inspect", *(word for change in changes for word in ("--set", change)), env=PROGRAMS)
     return Ears(case.out / "listener.ears.log", endpoints)

@@ -3,12 +3,17 @@
 messages, rates, frames, QoS, the names of nodes."""
 import json
 import math
+import pathlib
+import re
+import shutil
+import subprocess
 import sys
+import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
-from baraka import ROOT, Case
-from ros2 import DEADLINE, DURABILITY, ENDPOINTS, PROGRAMS, Qos, RELIABILITY, Tree, listen, program, reader, refused, writer
+from baraka import BIN, ROOT, Case
+from ros2 import DEADLINE, DURABILITY, ENDPOINTS, PROGRAMS, Qos, RELIABILITY, Tree, listen, program_of, reader, refused, writer
 from teleop_behind_a_wall_test import needs_namespaces
 
 sys.path.insert(0, str(ROOT / "tests/validation"))
@@ -25,7 +30,7 @@ ALL = [reader("Odometry", "rt/r0/odom"), reader("TFMessage", "rt/tf"), reader("T
        reader("Bool", "rt/r0/bumper"), reader("String", "rt/r0/robot_description", KEPT),
        reader("DiagnosticArray", "rt/diagnostics"),
        reader("ParticipantEntitiesInfo", "ros_discovery_info", KEPT)]
-CIRCLE = program("driver", ["ros_peer", "write", "0", "Twist", "rt/r0/cmd_vel", "20", "0.1", "0", "0.4"])
+CIRCLE = program_of("driver", ["ros_peer", "write", "0", "Twist", "rt/r0/cmd_vel", "20", "0.1", "0", "0.4"])
 needs_endpoints = unittest.skipUnless(
     ENDPOINTS.exists(), "no ros_endpoints: Cyclone DDS was not there (cyclonedds-dev) when this was built")
 
@@ -187,6 +192,15 @@ class Topics(Case):
         sizes = [box.get("size") for box in base.iterfind("collision/geometry/box")]
         self.assertEqual(sizes, ["0.138 0.14 0.14", "0.138 0.14 0.042", "0.066 0.178 0.05"])
         self.assertEqual(list(robot.iter("inertial")), [], "its masses are not known to a controller")
+
+    @unittest.skipUnless(shutil.which("check_urdf"), "no check_urdf (liburdfdom-tools) here")
+    def test_the_parser_of_ros_reads_the_description(self):
+        file = self.folder / "r0.urdf"
+        file.write_text(self.ears.samples("rt/r0/robot_description")[0]["data"])
+        said = subprocess.run(["check_urdf", file], capture_output=True, text=True, check=True).stdout
+        self.assertIn("root Link: base_footprint has 1 child(ren)", said)
+        for frame in self.tree.parents:
+            self.assertIn(frame, said)
 
     def test_the_node_and_its_endpoints_are_what_discovery_says(self):
         (info,) = self.ears.samples("ros_discovery_info")
@@ -367,6 +381,24 @@ class NavigatorBehindAWall(Case):
         self.assertAlmostEqual(reached["y"], y - self.LANE, delta=0.05)
         clearance = min(max(abs(px - self.BOX[0]), abs(py - self.BOX[1])) - 0.2 for _, px, py in poses)
         self.assertGreater(clearance, 0.07, "m from the box's faces")
+
+    def test_the_program_may_have_a_root_of_its_own(self):
+        """As ROS 2 has on a computer with another system: a tree of files, in which the program finds its libraries and
+        baraka's."""
+        with tempfile.TemporaryDirectory(prefix="baraka-root-", dir="/var/tmp") as folder:  # /tmp is each agent's own
+            root, program = pathlib.Path(folder), BIN.parent / "tests/ros_navigator"
+            ours = sorted(BIN.glob("libbaraka_*.so"))
+            libraries = subprocess.run(["ldd", program, *ours], capture_output=True, text=True, check=True).stdout
+            for file in {*map(pathlib.Path, re.findall(r"(/\S+) \(0x", libraries)), *ours, program}:
+                copy = root / file.relative_to("/")
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(file, copy)
+            for name in ("proc", "dev", "tmp", "run"):
+                (root / name).mkdir(exist_ok=True)
+            command = f"for f in proc dev tmp run; do mount --rbind /$f {root}/$f || exit 1; done; exec chroot {root} {program} 0 5 0"
+            self.run_baraka(self.SCENARIO, "--no-inspect", "--set",
+                            f"agents.operator.programs=[{program_of('navigator', ['sh', '-c', command])}]")
+        self.assertEqual(len([line for line in self.said() if "reached" in line]), 1)
 
     def test_without_its_scanner_it_drives_into_the_box(self):
         """Its wheels turn on, so that odometry reaches the goal."""
