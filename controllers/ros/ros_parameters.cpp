@@ -46,4 +46,11 @@ std::string ros_topic(const std::string& name_space, const std::string& name) {
   return "rt/" + (name_space.empty() ? name : name_space + "/" + name);
 }
 
+std::string ros_topic_name(const std::string& name_space, const std::string& name) {
+  const bool is_absolute = name.starts_with('/');
+  const std::string relative = ros_namespace("topic", name.substr(is_absolute ? 1 : 0));
+  if (relative.empty()) throw std::invalid_argument("topic: '" + name + "' is no name");
+  return ros_topic(is_absolute ? "" : name_space, relative);
+}
+
 }  // namespace controllers

@@ -15,6 +15,10 @@ int ros_domain(double number);
 /// mapping to DDS").
 std::string ros_topic(const std::string& name_space, const std::string& name);
 
+/// The same of a name that may be absolute: "/tf" gives "rt/tf" in every namespace.
+/// @throws std::invalid_argument  it is no name of a topic.
+std::string ros_topic_name(const std::string& name_space, const std::string& name);
+
 /// Error message of a controller that needs RealWorldObject::air_interface() and has none.
 inline constexpr const char* kNoAirInterface =
     "there is no network interface for it: a scenario gives it one by `network:` of its group and "

@@ -39,10 +39,13 @@ Entity* made(Entity* entity, const std::string& what) {
 }
 
 template <class Qos>
-void set_history(Qos& qos, int depth) {
+void set(Qos& qos, const RosQos& ros) {
   qos.history().kind = api::KEEP_LAST_HISTORY_QOS;
-  qos.history().depth = depth;
-  qos.durability().kind = api::VOLATILE_DURABILITY_QOS;
+  qos.history().depth = ros.depth;
+  qos.durability().kind =
+      ros.transient_local ? api::TRANSIENT_LOCAL_DURABILITY_QOS : api::VOLATILE_DURABILITY_QOS;
+  qos.reliability().kind =
+      ros.best_effort ? api::BEST_EFFORT_RELIABILITY_QOS : api::RELIABLE_RELIABILITY_QOS;
   qos.data_sharing().off();  // it would bypass the radio
 }
 
@@ -57,6 +60,8 @@ RosParticipant::RosParticipant(const Settings& settings) {
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.assign(1, udp);
   qos.name(settings.name);
+  if (!settings.user_data.empty())
+    qos.user_data().setValue({settings.user_data.begin(), settings.user_data.end()});
   participant_ = made(
       factory.create_participant(static_cast<std::uint32_t>(settings.domain), qos),
       "participant in domain " + std::to_string(settings.domain) + " on " + settings.interface);
@@ -80,21 +85,18 @@ api::Topic* RosParticipant::registered(const std::string& name, const std::strin
   return made(participant_->create_topic(name, type, api::TOPIC_QOS_DEFAULT), "topic " + name);
 }
 
-api::DataWriter* RosParticipant::writer(api::Topic* topic, int depth) {
+api::DataWriter* RosParticipant::writer(api::Topic* topic, const RosQos& ros) {
   api::DataWriterQos qos = api::DATAWRITER_QOS_DEFAULT;
-  set_history(qos, depth);
-  qos.reliability().kind = api::RELIABLE_RELIABILITY_QOS;
+  set(qos, ros);
   // On a thread of DDS, so that a busy network card does not block the controller.
   qos.publish_mode().kind = api::ASYNCHRONOUS_PUBLISH_MODE;
   return made(publisher_->create_datawriter(topic, qos), "writer of " + topic->get_name());
 }
 
-api::DataReader* RosParticipant::reader(api::Topic* topic, bool best_effort,
+api::DataReader* RosParticipant::reader(api::Topic* topic, const RosQos& ros,
                                         api::DataReaderListener* listener) {
   api::DataReaderQos qos = api::DATAREADER_QOS_DEFAULT;
-  set_history(qos, kDepth);
-  qos.reliability().kind =
-      best_effort ? api::BEST_EFFORT_RELIABILITY_QOS : api::RELIABLE_RELIABILITY_QOS;
+  set(qos, ros);
   return made(subscriber_->create_datareader(topic, qos, listener),
               "reader of " + topic->get_name());
 }

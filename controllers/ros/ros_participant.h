@@ -10,6 +10,14 @@
 
 namespace controllers {
 
+/// QoS of a topic as ROS 2 has it: reliable, or RELIABILITY best effort; volatile, or DURABILITY
+/// transient local; HISTORY keep last. The defaults are rmw_qos_profile_default.
+struct RosQos {
+  int depth = 10;
+  bool best_effort = false;      ///< Lost samples are not retransmitted.
+  bool transient_local = false;  ///< Late readers get the last samples.
+};
+
 /// A DDS participant that communicates with ROS 2 nodes (Humble), on one network interface only,
 /// over UDP, with the discovery of ROS 2's middleware. Listeners of its readers must outlive it.
 class RosParticipant {
@@ -18,6 +26,8 @@ class RosParticipant {
     std::string interface;  ///< E.g. "wlan0"; its first IPv4 address is used.
     int domain = 0;         ///< ROS_DOMAIN_ID, 0..232.
     std::string name;       ///< Name of the participant.
+    /// User data of the participant, by which rmw finds those with nodes; empty: none.
+    std::string user_data{};
   };
 
   /// @throws std::runtime_error  the interface does not exist or has no address, or DDS fails to
@@ -38,15 +48,15 @@ class RosParticipant {
     type.register_type(participant_);
     return registered(name, type.get_type_name());
   }
-  /// Reliable, and never blocks on the network. @param depth  of its history.
+  /// It never blocks on the network. @throws std::runtime_error
+  eprosima::fastdds::dds::DataWriter* writer(eprosima::fastdds::dds::Topic* topic,
+                                             const RosQos& ros);
   /// @throws std::runtime_error
-  eprosima::fastdds::dds::DataWriter* writer(eprosima::fastdds::dds::Topic* topic, int depth);
-  /// @param best_effort  lost samples are not retransmitted. @throws std::runtime_error
-  eprosima::fastdds::dds::DataReader* reader(eprosima::fastdds::dds::Topic* topic, bool best_effort,
+  eprosima::fastdds::dds::DataReader* reader(eprosima::fastdds::dds::Topic* topic,
+                                             const RosQos& ros,
                                              eprosima::fastdds::dds::DataReaderListener* listener);
 
-  /// History depth of rmw_qos_profile_default of ROS 2.
-  static constexpr int kDepth = 10;
+  const eprosima::fastrtps::rtps::GUID_t& guid() const { return participant_->guid(); }
 
  private:
   /// Drops samples that cannot be decoded: the generated code does not catch all exceptions of Fast

@@ -1,111 +1,122 @@
 #include "controllers/ros_base/ros_node.h"
 
 #include <chrono>
+#include <map>
 
 #include "controllers/ros/ros_parameters.h"
 #include "controllers/ros/ros_participant.h"
+#include "controllers/ros_base/base_topics.h"
 #include "controllers/ros_base/command_box.h"
-#include "hal/types/math.h"
+#include "controllers/ros_base/discovery_info.h"
+#include "idl/ros/values.h"
 #include "inspectPubSubTypes.h"
+#include "ros_nodesPubSubTypes.h"
 
 namespace controllers {
 namespace {
 
 namespace api = eprosima::fastdds::dds;
+using geometry_msgs::msg::dds_::Twist_;
 using geometry_msgs::msg::dds_::Twist_PubSubType;
-using nav_msgs::msg::dds_::Odometry_;
-using nav_msgs::msg::dds_::Odometry_PubSubType;
-using tf2_msgs::msg::dds_::TFMessage_;
-using tf2_msgs::msg::dds_::TFMessage_PubSubType;
+using geometry_msgs::msg::dds_::TwistStamped_;
+using geometry_msgs::msg::dds_::TwistStamped_PubSubType;
 
-/// History depth of tf2_ros's writer of transforms.
-constexpr int kDepthOfTransforms = 100;
+constexpr std::string_view kEntitiesTopic = "ros_discovery_info";
 
-builtin_interfaces::msg::dds_::Time_ stamp_now() {
+RosNode::Stamp stamp_of_process() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
-  builtin_interfaces::msg::dds_::Time_ stamp;
+  RosNode::Stamp stamp;
   stamp.sec(static_cast<std::int32_t>(seconds.count()));
   stamp.nanosec(static_cast<std::uint32_t>(std::chrono::nanoseconds(now - seconds).count()));
   return stamp;
 }
 
-geometry_msgs::msg::dds_::Quaternion_ about_z(double theta) {
-  geometry_msgs::msg::dds_::Quaternion_ rotation;
-  rotation.z(hal::math::sin(theta / 2));
-  rotation.w(hal::math::cos(theta / 2));
-  return rotation;
+/// DDS name of a topic after the user's remaps. That of the middleware itself is not ROS's.
+std::string dds_name(const BaseSettings& settings, const BaseTopic& topic) {
+  if (topic.name.empty()) return std::string(topic.key);
+  const auto remap = settings.remaps.find(std::string(topic.name));
+  return ros_topic_name(settings.name_space,
+                        remap == settings.remaps.end() ? std::string(topic.name) : remap->second);
 }
 
 }  // namespace
 
 class RosNode::Implementation {
  public:
-  explicit Implementation(const Settings& settings)
-      : settings_(settings),
-        participant_(
-            {.interface = settings.interface, .domain = settings.domain, .name = "ros_base"}),
-        odometry_(participant_.writer(
-            participant_.topic<Odometry_PubSubType>(ros_topic(settings.name_space, "odom")),
-            RosParticipant::kDepth)),
-        // All robots share the topic of transforms: their frames distinguish them.
-        transforms_(participant_.writer(
-            participant_.topic<TFMessage_PubSubType>(ros_topic("", "tf")), kDepthOfTransforms)) {
-    participant_.reader(
-        participant_.topic<Twist_PubSubType>(ros_topic(settings.name_space, "cmd_vel")),
-        settings.best_effort, &commands_);
+  Implementation(const std::string& interface, const BaseSettings& settings)
+      : use_sim_time_(settings.use_sim_time),
+        participant_({.interface = interface,
+                      .domain = settings.domain,
+                      .name = kName,
+                      .user_data = settings.topics.contains(std::string(kEntitiesTopic))
+                                       ? enclave_user_data()
+                                       : ""}) {
+    for (const BaseTopic& topic : base_topics()) {
+      if (settings.topics.contains(std::string(topic.key))) make_writer(settings, topic);
+    }
+    read_commands(settings);
+    announce(settings.name_space);
   }
 
   Commands take_commands() { return commands_.take(); }
-
-  void publish(const hal::Odometry& odometry) {
-    const auto stamp = stamp_now();
-    publish_odometry(odometry, stamp);
-    publish_transform(odometry.pose, stamp);
+  bool offers(std::string_view topic) const { return writers_.contains(topic); }
+  void write(std::string_view topic, void* message) {
+    const auto found = writers_.find(topic);
+    if (found != writers_.end()) found->second->write(message);
+  }
+  Stamp stamp(hal::Time now) const {
+    return use_sim_time_ ? idl::ros::to_ros(now) : stamp_of_process();
   }
 
  private:
-  using Stamp = builtin_interfaces::msg::dds_::Time_;
-
-  void publish_odometry(const hal::Odometry& odometry, const Stamp& stamp) {
-    Odometry_ message;
-    message.header().stamp(stamp);
-    message.header().frame_id(settings_.odom_frame);
-    message.child_frame_id(settings_.base_frame);
-    message.pose().pose().position().x(odometry.pose.x);
-    message.pose().pose().position().y(odometry.pose.y);
-    message.pose().pose().orientation(about_z(odometry.pose.theta));
-    message.twist().twist().linear().x(odometry.twist.vx);
-    message.twist().twist().linear().y(odometry.twist.vy);
-    message.twist().twist().angular().z(odometry.twist.omega);
-    odometry_->write(&message);
+  void make_writer(const BaseSettings& settings, const BaseTopic& topic) {
+    RosQos qos = topic.qos;
+    qos.best_effort = settings.best_effort_topics.contains(std::string(topic.key));
+    api::Topic* const dds = (participant_.*topic.make)(dds_name(settings, topic));
+    writers_[topic.key] = participant_.writer(dds, qos);
   }
 
-  void publish_transform(const hal::Pose2& pose, const Stamp& stamp) {
-    geometry_msgs::msg::dds_::TransformStamped_ one;
-    one.header().stamp(stamp);
-    one.header().frame_id(settings_.odom_frame);
-    one.child_frame_id(settings_.base_frame);
-    one.transform().translation().x(pose.x);
-    one.transform().translation().y(pose.y);
-    one.transform().rotation(about_z(pose.theta));
-    TFMessage_ message;
-    message.transforms({one});
-    transforms_->write(&message);
+  void read_commands(const BaseSettings& settings) {
+    const auto remap = settings.remaps.find(std::string(kCommandTopic));
+    const std::string name =
+        ros_topic_name(settings.name_space,
+                       remap == settings.remaps.end() ? std::string(kCommandTopic) : remap->second);
+    const RosQos qos{.best_effort = settings.best_effort_commands};
+    reader_ =
+        settings.use_stamped_vel
+            ? participant_.reader(participant_.topic<TwistStamped_PubSubType>(name), qos, &stamped_)
+            : participant_.reader(participant_.topic<Twist_PubSubType>(name), qos, &plain_);
   }
 
-  const Settings settings_;
+  void announce(const std::string& name_space) {
+    if (!offers(kEntitiesTopic)) return;
+    NodeEntities node{name_space, kName, {reader_->guid()}, {}};
+    for (const auto& [key, writer] : writers_) {
+      if (key != kEntitiesTopic) node.writers.push_back(writer->guid());
+    }
+    auto info = discovery_info(participant_.guid(), node);
+    write(kEntitiesTopic, &info);
+  }
+
+  const bool use_sim_time_;
   CommandBox commands_;
+  CommandListener<Twist_> plain_{commands_};
+  CommandListener<TwistStamped_> stamped_{commands_};
   RosParticipant participant_;  // declared after the listeners of its readers
-  api::DataWriter* odometry_;
-  api::DataWriter* transforms_;
+  std::map<std::string_view, api::DataWriter*> writers_;
+  api::DataReader* reader_ = nullptr;
 };
 
-RosNode::RosNode(const Settings& settings)
-    : implementation_(std::make_unique<Implementation>(settings)) {}
+RosNode::RosNode(const std::string& interface, const BaseSettings& settings)
+    : implementation_(std::make_unique<Implementation>(interface, settings)) {}
 RosNode::~RosNode() = default;
 
 RosNode::Commands RosNode::take_commands() { return implementation_->take_commands(); }
-void RosNode::publish(const hal::Odometry& odometry) { implementation_->publish(odometry); }
+bool RosNode::offers(std::string_view topic) const { return implementation_->offers(topic); }
+RosNode::Stamp RosNode::stamp(hal::Time now) const { return implementation_->stamp(now); }
+void RosNode::write_raw(std::string_view topic, void* message) {
+  implementation_->write(topic, message);
+}
 
 }  // namespace controllers

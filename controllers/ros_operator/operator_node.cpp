@@ -21,12 +21,11 @@ class OperatorNode::Implementation {
       : participant_(
             {.interface = settings.interface, .domain = settings.domain, .name = "ros_operator"}) {
     for (const std::string& robot : settings.robots) {
-      writers_.push_back(
-          participant_.writer(participant_.topic<Twist_PubSubType>(ros_topic(robot, "cmd_vel")),
-                              RosParticipant::kDepth));
+      writers_.push_back(participant_.writer(
+          participant_.topic<Twist_PubSubType>(ros_topic(robot, "cmd_vel")), RosQos{}));
       // Only the latest message counts: lost ones are not retransmitted.
-      participant_.reader(participant_.topic<Odometry_PubSubType>(ros_topic(robot, "odom")), true,
-                          &odometry_);
+      participant_.reader(participant_.topic<Odometry_PubSubType>(ros_topic(robot, "odom")),
+                          RosQos{.best_effort = true}, &odometry_);
     }
   }
 

@@ -1,4 +1,5 @@
 #include "gateway/exchange/convert.h"
+#include "gateway/exchange/convert_body.h"
 #include "gateway/exchange/ranges.h"
 
 namespace gateway::exchange {
@@ -103,6 +104,7 @@ wire::AgentSession to_wire(const hal::node::exchange::AgentSession& session) {
   for (const auto& row : session.limits.wheel_to_body) out.wheel_to_body().push_back(to_wire(row));
   out.wheel_speed(session.limits.wheel_speed);
   out.air_interface(session.air_interface);
+  put_body(session.body, out);
   return out;
 }
 
@@ -128,6 +130,7 @@ hal::node::exchange::AgentSession from_wire(const wire::AgentSession& session, R
   }
   out.limits.wheel_speed = session.wheel_speed();
   out.air_interface = session.air_interface();
+  out.body = body_from_wire(session, ranges);
   return out;
 }
 

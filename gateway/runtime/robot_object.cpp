@@ -6,6 +6,11 @@
 
 namespace gateway::runtime {
 
+const hal::RobotBody& RobotObject::body() const {
+  context().guard.check("body");
+  return context().session.body;
+}
+
 hal::Result<hal::Drive> RobotObject::set_body_velocity(const hal::Twist2& twist) {
   context().guard.check("set_body_velocity");
   if (context().session.limits.body_to_wheel.empty()) {

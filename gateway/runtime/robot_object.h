@@ -9,6 +9,7 @@ class RobotObject : public ObjectOf<hal::Robot> {
  public:
   using ObjectOf<hal::Robot>::ObjectOf;
 
+  const hal::RobotBody& body() const override;
   hal::Result<hal::Drive> set_body_velocity(const hal::Twist2& twist) override;
   hal::Result<void> set_wheel_speeds(std::span<const double> speeds) override;
   hal::Result<std::vector<hal::InfraredReading>> infrared() const override;

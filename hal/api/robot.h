@@ -5,6 +5,7 @@
 #include "hal/api/real_world_object.h"
 #include "hal/types/geometry.h"
 #include "hal/types/result.h"
+#include "hal/types/robot_body.h"
 
 namespace hal {
 
@@ -46,6 +47,10 @@ struct Imu {
 /// An agent that can drive, with wheels, odometry and the sensors of its file.
 class Robot : public RealWorldObject {
  public:
+  /// Shape and wheels as the robot's file describes them, valid for the life of the controller.
+  /// Masses, meshes and colours are not among them.
+  virtual const RobotBody& body() const = 0;
+
   /// Drives with this velocity of the body until the next command. Components that the robot's
   /// wheels cannot produce are omitted; then, if a wheel would exceed its limit, all three
   /// components are scaled by the same factor, which keeps the direction. Errors: kInvalidArgument

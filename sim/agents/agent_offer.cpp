@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "hal/node/devices/channels.h"
+#include "hal/node/devices/robot_outline.h"
 #include "hal/node/devices/wheel_drive.h"
 
 namespace sim::agents {
@@ -19,6 +20,7 @@ void add_robot(const RobotDescription& robot, hal::node::exchange::AgentSession&
   session.limits = {.body_to_wheel = drive.body_to_wheel(),
                     .wheel_to_body = drive.restrictions(),
                     .wheel_speed = drive.max_wheel_speed()};
+  session.body = hal::node::devices::body_of(robot);
 }
 
 void add_channels(const RobotDescription& robot, std::vector<hal::Channel>& channels) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "hal/node/devices/robot_outline.h"
+
 namespace sim::agents {
 namespace {
 
@@ -12,16 +14,6 @@ using hal::node::devices::RobotDescription;
 
 constexpr double kStationRadius = 0.1;                     // m
 constexpr double kArrowWidth = 0.04, kArrowHeight = 0.02;  // m
-
-Solid solid_of(const hal::node::devices::BodyCylinder& part) {
-  return {.shape = Solid::Shape::kCylinder,
-          .size = {2 * part.radius, 2 * part.radius, part.z_top - part.z_bottom},
-          .centre = {part.centre.x, part.centre.y, (part.z_bottom + part.z_top) / 2}};
-}
-
-Solid solid_of(const hal::node::devices::BodyBox& part) {
-  return {.size = part.size, .centre = part.centre, .yaw = part.yaw};
-}
 
 /// An arrow from the middle of the body forward, above all its shapes.
 Solid arrow_of(const RobotDescription& robot) {
@@ -44,9 +36,7 @@ struct SolidsOf {
     return {"", hal::DrawnAs::kMote, {{.size = mote.size, .centre = {0, 0, mote.size.z / 2}}}};
   }
   hal::DrawnBody operator()(const RobotDescription& robot) const {
-    hal::DrawnBody drawn{"", hal::DrawnAs::kRobot, {}};
-    for (const auto& part : robot.cylinders) drawn.solids.push_back(solid_of(part));
-    for (const auto& part : robot.boxes) drawn.solids.push_back(solid_of(part));
+    hal::DrawnBody drawn{"", hal::DrawnAs::kRobot, hal::node::devices::body_of(robot).solids};
     drawn.solids.push_back(arrow_of(robot));
     return drawn;
   }

@@ -27,7 +27,8 @@ class OnARobot(RealAgents):
         domain = some_domain(self)
         daemon, robotino = self.robot("lo", f"domain: {domain}, command_timeout: 400 ms")
         controller = self.start_ros_base()
-        told = Peer(self, "read", domain, "Odometry", "rt/odom", "TFMessage", "rt/tf")
+        told = Peer(self, "read", domain, "Odometry", "rt/odom", "TFMessage", "rt/tf", "TFMessage", "rt/tf_static",
+                    "JointState", "rt/joint_states", "DiagnosticArray", "rt/diagnostics", "LaserScan", "rt/scan")
         commander = Peer(self, "write", domain, "Twist", "rt/cmd_vel", 20, SPEED, 0, TURN)
         robotino.await_moving()
         wait_for(lambda: robotino.state()["pose"][0] > 0.15)
@@ -47,9 +48,19 @@ class OnARobot(RealAgents):
         self.assertAlmostEqual(odometry["position"][1], y, delta=0.02)
         self.assertAlmostEqual(2 * math.atan2(odometry["orientation"][2], odometry["orientation"][3]), theta,
                                delta=0.05)
-        self.assertEqual((odometry["frame"], odometry["child"]), ("odom", "base_link"))
-        (transform,) = transforms["transforms"]
-        self.assertEqual((transform["parent"], transform["child"]), ("odom", "base_link"))
+        self.assertEqual((odometry["frame"], odometry["child"]), ("odom", "base_footprint"))
+        transform, *wheels = transforms["transforms"]
+        self.assertEqual((transform["parent"], transform["child"]), ("odom", "base_footprint"))
+        self.assertEqual([(one["parent"], one["child"]) for one in wheels],
+                         [("base_link", f"wheel_{i}_link") for i in range(3)])
+        self.assertEqual([(one["parent"], one["child"]) for one in last("rt/tf_static")["transforms"]],
+                         [("base_footprint", "base_link")])
+        joints = last("rt/joint_states")
+        self.assertEqual(joints["names"], [f"wheel_{i}_joint" for i in range(3)])
+        self.assertGreater(max(abs(angle) for angle in joints["position"]), 0.15 / 0.06, "rad, of a wheel of 6 cm")
+        statuses = {one["name"]: one["message"] for one in last("rt/diagnostics")["status"]}
+        self.assertIn(statuses["ros_base: commands"], ("driving", "stopped"))
+        self.assertEqual(told.samples("rt/scan"), [], "it has no scanner")
         self.assertAlmostEqual(transform["translation"][0], x, delta=0.02)
         self.assertAlmostEqual(max(one["linear"][0] for one in told.samples("rt/odom")), SPEED, delta=0.02)
         controller.send("SIGTERM")

@@ -7,6 +7,7 @@
 
 #include "hal/types/agent_id.h"
 #include "hal/types/channel.h"
+#include "hal/types/robot_body.h"
 #include "hal/types/time.h"
 #include "hal/types/wants.h"
 
@@ -14,7 +15,7 @@ namespace hal::node::exchange {
 
 /// Version of the types in this folder as transmitted. Peers with different versions refuse each
 /// other.
-inline constexpr std::uint32_t kProtocolVersion = 7;
+inline constexpr std::uint32_t kProtocolVersion = 8;
 
 /// A parameter as written in the scenario, with the place of its value for error messages.
 struct ParameterText {
@@ -50,6 +51,7 @@ struct AgentSession {
   DriveLimits limits;
   /// Network interface on which the controller may open its own sockets; empty: none.
   std::string air_interface{};
+  RobotBody body{};  ///< Empty: the agent is no robot.
   bool operator==(const AgentSession&) const = default;
 };
 

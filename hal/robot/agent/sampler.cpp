@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "hal/node/devices/channels.h"
+#include "hal/node/devices/robot_outline.h"
 
 namespace hal::robot::agent {
 namespace {
@@ -76,6 +77,7 @@ node::exchange::AgentOffer offer_of(const RobotFile& file, const Devices& device
   session.parameters = file.parameters;
   session.air_interface = file.air_interface;
   if (devices.wheels != nullptr) session.limits = devices.wheels->limits();
+  if (file.robot) session.body = node::devices::body_of(*file.robot);
   for (const DevicePart& part : parts_of(file, devices))
     std::ranges::copy(part.channels, std::back_inserter(session.channels));
   return offer;

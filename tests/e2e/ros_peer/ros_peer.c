@@ -6,18 +6,17 @@
  *   ros_peer write DOMAIN TYPE TOPIC HZ VALUE ...      the same sample again and again, until killed
  *   ros_peer switch DOMAIN Bool TOPIC                  a sample per 0 or 1 on standard input
  *
- * TYPE: Clock, TFMessage, Odometry, Range, LaserScan, Imu, BatteryState, MarkerArray; to write: Twist (vx vy omega),
- * PoseStamped (x y z, qx qy qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready"
+ * TYPE: Clock, TFMessage, Odometry, Range, LaserScan, Imu, BatteryState, MarkerArray, String, JointState,
+ * DiagnosticArray, ParticipantEntitiesInfo; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready"
  * goes to standard error when it looks for the others; `switch` has found one then.
  */
 #include <dds/dds.h>
-#include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "ros_messages.h"
+#include "ros_types.h"
 
 #define MAX_TOPICS 16
 #define MAX_VALUES 8
@@ -30,169 +29,6 @@ static void die(const char* what, dds_return_t code) {
 static dds_entity_t checked(dds_entity_t entity, const char* what) {
   if (entity < 0) die(what, entity);
   return entity;
-}
-
-/* ---- printing ------------------------------------------------------------------------------- */
-
-/* JSON has no infinity: as Python's json module reads it. */
-static void print_number(double value) {
-  if (isnan(value)) printf("NaN");
-  else if (isinf(value)) printf("%sInfinity", value < 0 ? "-" : "");
-  else printf("%.17g", value);
-}
-
-static void print_stamp(const builtin_interfaces_msg_dds__Time_* t) {
-  printf("\"t\": %" PRId64, (int64_t)t->sec * 1000000000 + t->nanosec);
-}
-
-static void print_numbers(const char* key, const double* values, int count) {
-  printf(", \"%s\": [", key);
-  for (int i = 0; i < count; ++i) {
-    if (i > 0) printf(", ");
-    print_number(values[i]);
-  }
-  printf("]");
-}
-
-static void print_clock(const void* sample) {
-  print_stamp(&((const rosgraph_msgs_msg_dds__Clock_*)sample)->clock);
-}
-
-static void print_transforms(const void* sample) {
-  const tf2_msgs_msg_dds__TFMessage_* message = sample;
-  printf("\"transforms\": [");
-  for (uint32_t i = 0; i < message->transforms._length; ++i) {
-    const geometry_msgs_msg_dds__TransformStamped_* one = &message->transforms._buffer[i];
-    printf("%s{", i > 0 ? ", " : "");
-    print_stamp(&one->header.stamp);
-    printf(", \"parent\": \"%s\", \"child\": \"%s\"", one->header.frame_id, one->child_frame_id);
-    print_numbers("translation", &one->transform.translation.x, 3);
-    print_numbers("rotation", &one->transform.rotation.x, 4);
-    printf("}");
-  }
-  printf("]");
-}
-
-static void print_odometry(const void* sample) {
-  const nav_msgs_msg_dds__Odometry_* message = sample;
-  print_stamp(&message->header.stamp);
-  printf(", \"frame\": \"%s\", \"child\": \"%s\"", message->header.frame_id,
-         message->child_frame_id);
-  print_numbers("position", &message->pose.pose.position.x, 3);
-  print_numbers("orientation", &message->pose.pose.orientation.x, 4);
-  print_numbers("linear", &message->twist.twist.linear.x, 3);
-  print_numbers("angular", &message->twist.twist.angular.x, 3);
-  print_numbers("pose_covariance", message->pose.covariance, 36);
-  print_numbers("twist_covariance", message->twist.covariance, 36);
-}
-
-static void print_range(const void* sample) {
-  const sensor_msgs_msg_dds__Range_* message = sample;
-  print_stamp(&message->header.stamp);
-  printf(", \"frame\": \"%s\", \"radiation_type\": %u", message->header.frame_id,
-         message->radiation_type);
-  const double values[] = {message->field_of_view, message->min_range, message->max_range,
-                           message->range};
-  print_numbers("values", values, 4);
-}
-
-static void print_scan(const void* sample) {
-  const sensor_msgs_msg_dds__LaserScan_* message = sample;
-  print_stamp(&message->header.stamp);
-  printf(", \"frame\": \"%s\"", message->header.frame_id);
-  const double angles[] = {message->angle_min, message->angle_max, message->angle_increment,
-                           message->time_increment, message->scan_time};
-  print_numbers("angles", angles, 5);
-  const double limits[] = {message->range_min, message->range_max};
-  print_numbers("limits", limits, 2);
-  printf(", \"ranges\": [");
-  for (uint32_t i = 0; i < message->ranges._length; ++i) {
-    if (i > 0) printf(", ");
-    print_number(message->ranges._buffer[i]);
-  }
-  printf("]");
-}
-
-static void print_pose(const void* sample) {
-  const geometry_msgs_msg_dds__PoseStamped_* message = sample;
-  print_stamp(&message->header.stamp);
-  printf(", \"frame\": \"%s\"", message->header.frame_id);
-  print_numbers("position", &message->pose.position.x, 3);
-  print_numbers("orientation", &message->pose.orientation.x, 4);
-}
-
-static void print_bool(const void* sample) {
-  printf("\"data\": %s", ((const std_msgs_msg_dds__Bool_*)sample)->data ? "true" : "false");
-}
-
-static void print_imu(const void* sample) {
-  const sensor_msgs_msg_dds__Imu_* message = sample;
-  print_stamp(&message->header.stamp);
-  printf(", \"frame\": \"%s\"", message->header.frame_id);
-  print_numbers("orientation_covariance", message->orientation_covariance, 9);
-  print_numbers("angular", &message->angular_velocity.x, 3);
-  print_numbers("linear", &message->linear_acceleration.x, 3);
-}
-
-static void print_battery(const void* sample) {
-  const sensor_msgs_msg_dds__BatteryState_* message = sample;
-  print_stamp(&message->header.stamp);
-  printf(", \"frame\": \"%s\", \"present\": %d", message->header.frame_id, message->present);
-  const double values[] = {message->voltage, message->current, message->percentage};
-  print_numbers("values", values, 3);
-}
-
-static void print_markers(const void* sample) {
-  const visualization_msgs_msg_dds__MarkerArray_* message = sample;
-  printf("\"markers\": [");
-  for (uint32_t i = 0; i < message->markers._length; ++i) {
-    const visualization_msgs_msg_dds__Marker_* one = &message->markers._buffer[i];
-    printf("%s{", i > 0 ? ", " : "");
-    print_stamp(&one->header.stamp);
-    printf(", \"frame\": \"%s\", \"ns\": \"%s\", \"id\": %d, \"type\": %d, \"action\": %d",
-           one->header.frame_id, one->ns, (int)one->id, (int)one->type, (int)one->action);
-    print_numbers("position", &one->pose.position.x, 3);
-    print_numbers("orientation", &one->pose.orientation.x, 4);
-    print_numbers("scale", &one->scale.x, 3);
-    const double colour[] = {one->color.r, one->color.g, one->color.b, one->color.a};
-    print_numbers("colour", colour, 4);
-    printf(", \"rest\": %u}", one->points._length + one->colors._length +
-                                  one->texture.data._length + one->uv_coordinates._length +
-                                  one->mesh_file.data._length +
-                                  (unsigned)one->mesh_use_embedded_materials);
-  }
-  printf("]");
-}
-
-/* ---- types ---------------------------------------------------------------------------------- */
-
-struct type {
-  const char* name;
-  const dds_topic_descriptor_t* descriptor;
-  void (*print)(const void* sample); /* null: not read */
-};
-
-static const struct type types[] = {
-    {"Clock", &rosgraph_msgs_msg_dds__Clock__desc, print_clock},
-    {"TFMessage", &tf2_msgs_msg_dds__TFMessage__desc, print_transforms},
-    {"Odometry", &nav_msgs_msg_dds__Odometry__desc, print_odometry},
-    {"Range", &sensor_msgs_msg_dds__Range__desc, print_range},
-    {"Imu", &sensor_msgs_msg_dds__Imu__desc, print_imu},
-    {"BatteryState", &sensor_msgs_msg_dds__BatteryState__desc, print_battery},
-    {"MarkerArray", &visualization_msgs_msg_dds__MarkerArray__desc, print_markers},
-    {"LaserScan", &sensor_msgs_msg_dds__LaserScan__desc, print_scan},
-    {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
-    {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, print_pose},
-    {"Bool", &std_msgs_msg_dds__Bool__desc, print_bool},
-    {"String", &std_msgs_msg_dds__String__desc, NULL},
-};
-
-static const struct type* find_type(const char* name) {
-  for (size_t i = 0; i < sizeof types / sizeof types[0]; ++i) {
-    if (strcmp(types[i].name, name) == 0) return &types[i];
-  }
-  fprintf(stderr, "ros_peer: no type %s\n", name);
-  exit(2);
 }
 
 static dds_qos_t* reliable_qos(int kept_for_latecomers, int keep_all) {

@@ -114,6 +114,47 @@ TEST(RosBase, ParametersAreChecked) {
     EXPECT_NE(mistake_of(session("lo", {{"namespace", name, "s.yaml:1:1"}})), "") << name;
   }
   EXPECT_EQ(mistake_of(session("lo", {{"namespace", "fleet/r0", "s.yaml:1:1"}})), "");
+  EXPECT_EQ(mistake_of(session("lo", {{"namespace", "fleet/{}", "s.yaml:1:1"}})), "");
+}
+
+std::string mistake_in_list(const std::string& parameter, std::vector<std::string> items) {
+  return mistake_of(session("lo", {{parameter, "", "s.yaml:1:1", true, std::move(items)}}));
+}
+
+TEST(RosBase, ListsOfTopicsAndNamesAreChecked) {
+  EXPECT_NE(mistake_in_list("topics", {"odom", "scann"}).find("scann"), std::string::npos);
+  EXPECT_EQ(mistake_in_list("topics", {}), "");
+  EXPECT_NE(mistake_in_list("best_effort_topics", {"map"}), "");
+  EXPECT_NE(mistake_in_list("remap", {"scan=laser"}).find("FROM:=TO"), std::string::npos);
+  EXPECT_NE(mistake_in_list("remap", {"tf:=r0/tf"}).find("no topic 'tf'; there are odom, /tf, "),
+            std::string::npos);
+  EXPECT_NE(mistake_in_list("remap", {"scan:=a b"}), "");
+  EXPECT_EQ(mistake_in_list("remap", {"scan:=front/scan", "/tf:=tf", "cmd_vel:=/cmd_vel"}), "");
+  EXPECT_NE(mistake_in_list("pose_covariance_diagonal", {"0.1", "0.1"}).find("2 numbers"),
+            std::string::npos);
+  EXPECT_EQ(mistake_in_list("pose_covariance_diagonal", {"0.1", "0.1", "0", "0", "0", "1"}), "");
+}
+
+TEST(RosBase, AClockThatNoStampIsOfIsPointedOut) {
+  const hal::ControllerKind& kind = *baraka_controller();
+  hal::Parameters::Values values;
+  for (const hal::ParameterSpec& spec : kind.parameters)
+    values.emplace(spec.name, spec.default_value);
+  EXPECT_TRUE(kind.judge(hal::Parameters(values)).empty());
+  values.at("publish_clock") = true;
+  const auto mistakes = kind.judge(hal::Parameters(values));
+  ASSERT_EQ(mistakes.size(), 1);
+  EXPECT_EQ(mistakes[0].name, "publish_clock");
+  EXPECT_TRUE(mistakes[0].can_work);
+}
+
+TEST(RosBase, AnAgentWhoseNameIsNoNamespaceIsAnError) {
+  auto named = session("lo", {{"namespace", "{}", "s.yaml:1:1"}});
+  named.name = "robot-1";
+  tests::OneAgent robot(*baraka_controller(), named);
+  const auto errors = tests::texts<ControllerFailed>(robot.start());
+  ASSERT_EQ(errors.size(), 1);
+  EXPECT_NE(errors[0].find("namespace: 'robot-1' must be words"), std::string::npos) << errors[0];
 }
 
 class CommandedBase : public testing::Test {

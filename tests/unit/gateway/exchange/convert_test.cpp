@@ -120,6 +120,22 @@ hal::Channel any_channel(Anything& any) {
           any.number()};
 }
 
+hal::RobotBody any_body(Anything& any) {
+  const auto solid = [&] {
+    return hal::Solid{any.enumerator(hal::Solid::Shape::kCylinder),
+                      {any.number(), any.number(), any.number()},
+                      {any.number(), any.number(), any.number()},
+                      any.number()};
+  };
+  const auto wheel = [&] {
+    return hal::BodyWheel{any.flag(),   {any.number(), any.number()},
+                          any.number(), any.number(),
+                          any.number(), any.number(),
+                          any.number()};
+  };
+  return {any.text(), any.list(solid), any.list(wheel)};
+}
+
 hal::node::exchange::AgentSession any_agent(Anything& any) {
   hal::node::exchange::AgentSession agent;
   agent.agent = any.agent();
@@ -139,6 +155,7 @@ hal::node::exchange::AgentSession any_agent(Anything& any) {
   for (auto& row : agent.limits.wheel_to_body) row[1] = any.number();
   agent.limits.wheel_speed = any.number();
   agent.air_interface = any.text();
+  agent.body = any_body(any);
   return agent;
 }
 

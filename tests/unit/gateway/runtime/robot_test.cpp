@@ -36,6 +36,16 @@ TEST(SetBodyVelocity, LeavesACommandWithinTheLimitsAsItIs) {
   EXPECT_EQ(std::get<DriveBody>(actions[0].what).twist, twist);
 }
 
+TEST(Body, IsThatOfTheSession) {
+  auto session = tests::robot_session();
+  session.body = {
+      "robertino", {{.size = {1, 2, 3}, .centre = {}}}, {{.position = {0.1, 0}, .radius = 0.04}}};
+  const hal::RobotBody expected = session.body;
+  Scripted::next() = {.step = [&](hal::Robot& robot) { EXPECT_EQ(robot.body(), expected); }};
+  tests::OneAgent agent(Scripted::kind(), session);
+  EXPECT_TRUE(agent.control().empty());
+}
+
 // Along y the wheel at 180 degrees runs at vy / r: the limit is 23.56 * 0.04 = 0.9424 m/s. Asked
 // for twice that, with a rotation that takes part: all three are scaled by one factor f, for which
 // f * (2 * 0.9424 / 0.04 + 0.132 * 1 / 0.04) = 23.56.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/node/devices/robot_outline.h"
 #include "hal/robot/drivers/iio.h"
 #include "tests/support/fake_clock.h"
 #include "tests/unit/hal/robot/agent/fakes.h"
@@ -108,6 +109,7 @@ TEST_F(HardwareAgents, OffersTheChannelsOfASimulatedRobot) {
   EXPECT_EQ(session.kind, AgentKind::kRobot);
   EXPECT_EQ(session.control_period, kPeriod);
   EXPECT_EQ(session.limits.body_to_wheel.size(), 3u);
+  EXPECT_EQ(session.body, node::devices::body_of(*robot_.file.robot));
   // The table in hal/types/channel.h.
   std::vector<std::string> found;
   for (const Channel& c : session.channels) found.push_back(c.name + "|" + c.kind + "|" + c.unit);
