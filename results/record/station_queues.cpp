@@ -19,6 +19,8 @@ void StationQueues::on_queue(hal::Time at, const sim::radio::QueueChange& change
   using What = sim::radio::QueueChange::What;
   changed_ = true;
   Queue& queue = queues_[{change.station, change.receiver, category_of(change)}];
+  // What is dropped to make room for a frame follows that frame.
+  if (change.what != What::kDropped || at > queue.since) queue.settle();
   queue.wait_until(at);
   if (change.what == What::kDropped || change.what == What::kRefused) {
     ++queue.dropped[static_cast<std::size_t>(change.verdict)];
@@ -26,8 +28,8 @@ void StationQueues::on_queue(hal::Time at, const sim::radio::QueueChange& change
   if (change.what == What::kRefused) return;
   if (change.what == What::kQueued) {
     ++queue.frames;
-    queue.most = std::max(queue.most, ++queue.waiting);
-    queue.most_bytes = std::max(queue.most_bytes, queue.bytes += change.bytes);
+    ++queue.waiting;
+    queue.bytes += change.bytes;
     return;
   }
   --queue.waiting;
@@ -41,6 +43,7 @@ void StationQueues::write(hal::Time now) {
     const auto& [agent, receiver, category] = key;
     // While frames wait, the row changes with time: write it again next time.
     changed_ = changed_ || queue.waiting > 0;
+    queue.settle();
     queue.wait_until(std::max(now, queue.since));
     put_queue_.run(agent.value, receiver.value, category, queue.frames, queue.waiting, queue.most,
                    queue.most_bytes, queue.waited.count());

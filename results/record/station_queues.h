@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -37,6 +38,11 @@ class StationQueues final : public TopicWriter {
     hal::Time since{};
     std::array<std::uint64_t, hal::kVerdictCount> dropped{};
 
+    /// What waits now has its place.
+    void settle() {
+      most = std::max(most, waiting);
+      most_bytes = std::max(most_bytes, bytes);
+    }
     void wait_until(hal::Time at) {
       waited += static_cast<std::int64_t>(waiting) * (at - since);
       since = at;

@@ -336,6 +336,8 @@ class RadioKeys(Case):
         full = dict(what=lambda run: run.ended("queue full"), radio=radio, stations=burst)
         self.falls("queues: {per: station, limit: {}}", [5, 20], **full)
         self.falls("queues: {per: station, limit_bytes: {}}", [2000, 5000], **full)
+        self.is_each([5, 10], "queues: {per: station, discipline: fq_codel, limit: {}}", [5, 10],
+                     lambda run: run.one("SELECT max(most) FROM station_queues"), radio=radio, stations=burst)
         delay = dict(what=lambda run: run.ended("queue delay"), radio=radio, time="1 s",
                      stations=[(0, "pattern: saturated, backlog: 50, to: b, size: 1000", ""), (100, None, "")])
         codel = "queues: {{per: station, discipline: fq_codel, limit: 100, {}: {{}}}}".format

@@ -83,6 +83,24 @@ TEST_F(StationQueuesTest, TellsDropsByTheirCauses) {
   EXPECT_EQ(row("VO"), "2 1 2 200 2000000");
 }
 
+TEST_F(StationQueuesTest, DoesNotCountTogetherWhatMadeRoomForAnother) {
+  for (int i = 0; i < 2; ++i) change(1ms, What::kQueued, 100);
+  change(2ms, What::kQueued, 150);
+  change(2ms, What::kDropped, 100, hal::Verdict::kQueueFull);
+  change(2ms, What::kQueued, 100);
+  change(2ms, What::kDropped, 100, hal::Verdict::kQueueFull);
+  queues->write(Time{2ms});
+  EXPECT_EQ(row("VO"), "4 2 2 250 2000000");
+}
+
+TEST_F(StationQueuesTest, CountsTogetherWhatIsDroppedLater) {
+  for (int i = 0; i < 3; ++i) change(1ms, What::kQueued, 100);
+  change(2ms, What::kDropped, 100, hal::Verdict::kQueueDelay);
+  change(2ms, What::kLeft, 100);
+  queues->write(Time{2ms});
+  EXPECT_EQ(row("VO"), "3 1 3 300 3000000");
+}
+
 TEST_F(StationQueuesTest, NamesTheQueueOfAStationWithoutQos) {
   category.reset();
   change(1ms, What::kQueued, 100);
