@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "hal/files/recording/capture.h"
+#include "hal/files/recording/capture_file.h"
 #include "hal/files/recording/collector.h"
 #include "hal/files/recording/compression.h"
 #include "hal/files/recording/mapped_file.h"
@@ -54,6 +56,7 @@ void read_any(const fs::path& path, Collector& into) {
   const MappedFile file(path);
   const Octets octets = file.octets();
   if (is_mcap(octets)) return read_mcap(file, into);
+  if (is_capture(octets)) return read_capture(file, into);
   if (is_sqlite(octets) || is_zstd(octets)) {
     read_bag_file(path, into);
     if (!fs::exists(path.parent_path() / "metadata.yaml"))
