@@ -8,9 +8,10 @@ namespace {
 
 using hal::files::recording::RecordedSample;
 using Samples = std::vector<RecordedSample>;
+using Kind = RecordedRhythm::Kind;
 
 constexpr double kLeastRate = 1e-3;  // Hz, what the keys accept
-constexpr double kPeriodicShare = 0.8, kShortGap = 0.1;
+constexpr double kPeriodicShare = 0.7, kShortGap = 0.1;
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -44,17 +45,25 @@ std::vector<double> periodic_gaps(const std::vector<double>& gaps) {
 bool find_bursts(const std::vector<double>& gaps, RecordedRhythm& rhythm) {
   const double limit = kShortGap * rhythm.gap_mean;
   std::vector<double> within;
-  std::ranges::copy_if(gaps, std::back_inserter(within),
-                       [limit](double gap) { return gap < limit; });
+  double at = 0, last_begin = 0;  // s after the first sample
+  for (const double gap : gaps) {
+    at += gap;
+    if (gap < limit) {
+      within.push_back(gap);
+    } else {
+      last_begin = at;
+    }
+  }
   const auto between = static_cast<double>(gaps.size() - within.size());
   const double samples = static_cast<double>(gaps.size() + 1) / (between + 1);
-  if (rhythm.gap_sd <= rhythm.gap_mean || samples < 2 || between < 1) return false;
-  rhythm.kind = RecordedRhythm::Kind::kBursts;
+  if (rhythm.gap_sd <= rhythm.gap_mean || samples < 2 || between < 2) return false;
+  const double rate = between / last_begin, spacing = median_of(within);
+  if (rate < kLeastRate || spacing * (std::round(samples) - 1) > 1 / rate) return false;
+  rhythm.kind = Kind::kBursts;
+  rhythm.rate = rate;
   rhythm.samples = static_cast<std::uint32_t>(std::lround(samples));
-  // As many samples in a second as there were.
-  rhythm.rate = rhythm.mean_rate / rhythm.samples;
-  rhythm.spacing = median_of(within);
-  return rhythm.spacing * (rhythm.samples - 1.0) <= 1 / rhythm.rate;
+  rhythm.spacing = spacing;
+  return true;
 }
 
 /// The period p, up to 8, of a sequence of sizes; 0: none.
@@ -84,16 +93,13 @@ RecordedRhythm rhythm_of(const Samples& samples) {
   if (all.mean <= 0) return rhythm;
   rhythm.mean_rate = 1 / all.mean;
   if (gaps.size() < 2 || rhythm.mean_rate < kLeastRate) return rhythm;
+  if (find_bursts(gaps, rhythm)) return rhythm;
+  rhythm.rate = rhythm.mean_rate;
   const std::vector<double> kept = periodic_gaps(gaps);
-  if (!kept.empty()) {
-    rhythm.kind = RecordedRhythm::Kind::kPeriodic;
-    rhythm.rate = rhythm.mean_rate;
-    // Gaps differ by two deviations: their variance is 2 * jitter^2 / 3.
+  rhythm.kind = kept.empty() ? Kind::kPoisson : Kind::kPeriodic;
+  // Gaps differ by two deviations: their variance is 2 * jitter^2 / 3.
+  if (!kept.empty())
     rhythm.jitter = std::min(mean_and_sd(kept).sd * std::sqrt(1.5), 0.5 * all.mean);
-  } else if (!find_bursts(gaps, rhythm)) {
-    rhythm.kind = RecordedRhythm::Kind::kPoisson;
-    rhythm.rate = rhythm.mean_rate;
-  }
   return rhythm;
 }
 

@@ -25,9 +25,9 @@ struct RecordedRhythm {
   double spacing = 0;         ///< s, median within a burst.
 };
 
-/// Periodic: at least 80 % of the gaps are within half of their median and one and a half. Bursts:
-/// gaps below a tenth of the mean separate groups of two samples or more on average, and the gaps'
-/// standard deviation exceeds their mean. Otherwise Poisson.
+/// Bursts: gaps below a tenth of the mean make at least three groups, of two samples or more on
+/// average, and the gaps' standard deviation exceeds their mean. Otherwise periodic: at least 70 %
+/// of the gaps are within half of their median and one and a half. Otherwise Poisson.
 /// @param samples  in order of time.
 RecordedRhythm rhythm_of(const std::vector<hal::files::recording::RecordedSample>& samples);
 
