@@ -41,8 +41,7 @@ bool begins_with(Octets octets, std::string_view magic) {
     what += ": it is empty";
   } else if (begins_with(octets, "#ROSBAG V")) {
     what =
-        "it is a bag of ROS 1, which is not read: convert it to MCAP or rosbag2, e.g. by "
-        "`mcap convert` or `rosbags-convert`";
+        "it is a bag of ROS 1, which is not read: convert it to rosbag2, e.g. by `rosbags-convert`";
   } else if (begins_with(octets, "\x1f\x8b")) {
     what += ": it is compressed by gzip; gunzip it first";
   } else {
