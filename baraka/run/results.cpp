@@ -126,7 +126,8 @@ void Results::record(const fs::path& folder) {
                                                      .messages = scenario_.record.messages,
                                                      .samples = scenario_.record.samples,
                                                      .routes = scenario_.record.routes,
-                                                     .readings = scenario_.record.readings});
+                                                     .readings = scenario_.record.readings,
+                                                     .inputs = scenario_.record.inputs});
   recorder_->add_countable(scenario_.record.declared);
   recorder_->add_settings(settings_);
   recorder_->find<results::record::ControllerLog>()->add_units(scenario_.record.recorded_units);

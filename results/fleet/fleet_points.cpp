@@ -21,7 +21,8 @@ using hal::files::config::Mapping;
 constexpr std::array kRecord = {
     std::pair{"record.samples", "all"},     std::pair{"record.frames", "counts"},
     std::pair{"record.messages", "counts"}, std::pair{"record.routes", "none"},
-    std::pair{"record.readings", "none"},   std::pair{"record.pose_period", "1 s"}};
+    std::pair{"record.readings", "none"},   std::pair{"record.inputs", "none"},
+    std::pair{"record.pose_period", "1 s"}};
 
 /// In which share of these samples a radio has frames to send: the bin from 0.5 on.
 constexpr const char* kQueues =

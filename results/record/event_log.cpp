@@ -6,10 +6,11 @@
 
 namespace results::record {
 
-EventLog::EventLog(Database& database, Commits& commits)
+EventLog::EventLog(Database& database, bool has_inputs, Commits& commits)
     : insert_scripted_(database, "INSERT INTO events VALUES (?, ?, ?, ?)"),
       insert_turn_(database, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
       insert_arrival_(database, "INSERT INTO arrivals VALUES (?, ?, ?)"),
+      has_inputs_(has_inputs),
       commits_(commits) {}
 
 void EventLog::on_scripted(const sim::agents::ScriptedDone& done) {
@@ -25,6 +26,7 @@ void EventLog::on_turn(const sim::agents::Turn& turn) {
 }
 
 void EventLog::on_arrival(const sim::OutsideArrival& arrival) {
+  if (!has_inputs_) return;
   insert_arrival_.run(hal::to_ns(arrival.at), arrival.door, to_hexadecimal(arrival.bytes));
   commits_.on_rows(arrival.at, 1);
 }

@@ -13,7 +13,7 @@ namespace results::record {
 /// outside.
 class EventLog final : public TopicWriter {
  public:
-  EventLog(Database& database, Commits& commits);
+  EventLog(Database& database, bool has_inputs, Commits& commits);
 
   static std::vector<Table> scripted_tables();
   static std::vector<Table> tables();
@@ -24,6 +24,7 @@ class EventLog final : public TopicWriter {
 
  private:
   Statement insert_scripted_, insert_turn_, insert_arrival_;
+  bool has_inputs_;
   Commits& commits_;
 };
 

@@ -45,6 +45,16 @@ void read_arrivals(RunReader& run, ReplayLog& log) {
   }
 }
 
+/// @throws std::runtime_error  the run has not recorded its inputs.
+void require_inputs(RunReader& run, const std::string& file) {
+  Statement setting = run.query("SELECT value FROM settings WHERE key = 'record.inputs'");
+  if (!setting.next() || setting.text(0) == "all") return;
+  throw std::runtime_error(
+      fmt::format("{}: table settings, row record.inputs: what came in from outside was not "
+                  "recorded, so the run cannot be repeated",
+                  file));
+}
+
 }  // namespace
 
 std::map<std::string, std::string> read_settings(const std::filesystem::path& folder) {
@@ -72,6 +82,7 @@ ReplayLog read_replay_log(const std::filesystem::path& folder) {
         fmt::format("{}: table run, row ended_ns: this run did not end", file));
   }
   log.ended_at = hal::time_from_ns(*ended);
+  require_inputs(run, file);
   read_turns(run, log);
   read_arrivals(run, log);
   if (log.in_real_time || !log.arrivals.empty()) return log;

@@ -73,6 +73,9 @@ void add_frame_log(Recording& of) {
   if (frames == Detail::kSample || frames == Detail::kAll)
     of.add<FrameLog>(of.database, frames, of.protocols, of.commits);
 }
+void add_events(Recording& of) {
+  of.add<EventLog>(of.database, of.options.inputs == Detail::kAll, of.commits);
+}
 void add_relays(Recording& of) {
   if (of.options.counts_frames()) of.add<RelayCounts>(of.database);
 }
@@ -102,7 +105,7 @@ constexpr Topic kTopics[] = {
     {observable_tables},
     {BodyLog::tables, add_bodies},
     {ControllerLog::state_tables, add_plain<ControllerLog>},
-    {EventLog::scripted_tables, add_plain<EventLog>},
+    {EventLog::scripted_tables, add_events},
     {ControllerLog::value_tables},
     {AgentUseLog::tables, add_use},
     {InterfaceCounts::tables, add_interfaces},

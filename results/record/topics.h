@@ -20,6 +20,7 @@ struct RecorderOptions {
   /// kAll: each change of a route, and the lengths of queues.
   sim::scenario::Detail routes = sim::scenario::Detail::kNone;
   sim::scenario::Detail readings = sim::scenario::Detail::kNone;  ///< See LookLog::Settings.
+  sim::scenario::Detail inputs = sim::scenario::Detail::kAll;     ///< From outside.
 
   bool counts_frames() const { return frames != sim::scenario::Detail::kNone; }
 };

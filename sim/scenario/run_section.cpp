@@ -126,6 +126,12 @@ void detail_keys(Fields& io, RecordOptions& c) {
        "ranges: those of range sensors and bumpers with up to 32 values; all: all channels.",
        "all", "ranges; none with more than 100 agents"},
       kReadingDetails, c.readings);
+  io.choice({"inputs",
+             "Whether inputs from outside are recorded, as `baraka run --repeat` needs: frames of "
+             "programs, velocities from teleoperation. They take more space than all else where "
+             "programs send much.",
+             "none"},
+            kRouteDetails, c.inputs);
   io.duration(
       {"pose_period", "Time between two recorded poses of an agent; at most one per control cycle.",
        "1 s", "100 ms; 1 s with more than 100 agents"},

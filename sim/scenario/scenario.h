@@ -87,6 +87,7 @@ struct RecordOptions {
   Detail samples = Detail::kCounts;
   Detail routes = Detail::kNone;
   Detail readings = Detail::kNone;
+  Detail inputs = Detail::kAll;
   hal::Duration pose_period = 1s;
   std::string air{};  ///< Capture file for frames; empty: none.
   /// Agent whose sent and received frames are captured; nullopt: all frames.

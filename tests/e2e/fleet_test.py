@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""`baraka fleet`: its numbers are those of the samples in the runs' records, and its answer follows from them."""
+import contextlib
+import json
+import pathlib
+import re
+import sqlite3
+import sys
+import unittest
+
+from baraka import ROOT, Case, Program, send, wait_for
+from private_network import has_networks
+
+SKIPPED = 77
+RADIO = {"include": str(ROOT / "config/radios/ieee80211g.yaml"), "data_rate": "6 Mb/s",
+         "propagation": [{"model": "log_distance", "exponent": 3}], "bss": {"access_point": "ap"}}
+ROBOTS = {"name": "r{}", "station": {}, "circle": {"count": 1, "radius": "5 m"}, "network": {}, "topics": [
+    {"name": "rt/{agent}/scan", "size": "4 kB", "rate": "20 Hz", "reliability": "best_effort", "readers": ["base"]},
+    {"name": "rt/{agent}/odom", "size": "200 B", "rate": "20 Hz", "reliability": "best_effort", "readers": ["base"]}]}
+SCENARIO = {"version": 1, "radio": RADIO, "routing": "none", "end": [{"at": "100 s", "result": "done"}], "agents": {
+    "ap": {"name": "ap", "station": {}, "poses": [{"x": "0 m", "y": "0 m"}]},
+    "base": {"name": "base", "station": {}, "poses": [{"x": "1 m", "y": "0 m"}], "network": {}},
+    "robots": ROBOTS}}
+# 6 Mb/s carries each byte twice: two robots of 0.7 Mb/s each fit, six do not.
+FLEET = {"version": 1, "scenario": "hall.yaml", "robots": {"group": "robots", "from": 2, "to": 6, "step": 4},
+         "need": [{"topic": "*/scan", "delivered": "99 %", "p95": "200 ms"}],
+         "warm_up": "2 s", "until": "5 s", "replications": 2}
+
+
+class Fleets(Case):
+    def setUp(self):
+        super().setUp()
+        self.out = self.folder / "out"
+        self.write("hall.yaml", SCENARIO)
+
+    def write(self, name, content):
+        """JSON is YAML."""
+        file = self.folder / name
+        file.write_text(json.dumps(content, indent=1))
+        return file
+
+    def begin(self, content, *options, out=None):
+        program = Program("baraka", "fleet", self.write("fleet.yaml", content), "--out", out or self.out, *options)
+        self.addCleanup(program.clean_up)
+        return program
+
+    def fleet(self, content, *options, out=None, status=0):
+        finished = self.begin(content, *options, out=out).finish(240)
+        self.assertEqual(finished.status, status, str(finished))
+        return finished
+
+    @staticmethod
+    def tables(finished):
+        """What it printed of its answer, without what differs from one time to another."""
+        return finished.out[finished.out.index("\n\n"):finished.out.index("page: ")]
+
+    def samples(self, point, robots):
+        """(sent, delivered) of the scans in the window, of a point's runs: from their records alone."""
+        found = []
+        for run in sorted((self.out / "runs").glob(f"p{point:03}-r*/run.sqlite")):
+            with contextlib.closing(sqlite3.connect(f"file:{run}?mode=ro", uri=True)) as database:
+                [row] = database.execute(
+                    "SELECT COUNT(*), COUNT(left_ns), COUNT(DISTINCT writer) FROM samples JOIN dds_endpoints ON guid = writer"
+                    " WHERE topic LIKE 'rt/r%/scan' AND entered_ns >= 2e9 AND NOT (left_ns IS NULL AND verdict IS NULL)").fetchall()
+                self.assertEqual(row[2], robots)
+                found.append(row[:2])
+        return found
+
+
+class Answer(Fleets):
+    def test_two_robots_fit_and_six_do_not_because_the_air_is_full(self):
+        finished = self.fleet(FLEET)
+        self.assertRegex(finished.out, r"(?m)^2 robots with the scenario's profile\. With 6, \*/scan fails first: delivered .*"
+                                       r"Cause: the air is full \(the medium at .* has frames to send in ")
+        for point, robots in (1, 2), (2, 6):
+            runs = self.samples(point, robots)
+            self.assertEqual(len(runs), 2)
+            share = sum(delivered / sent for sent, delivered in runs) / 2
+            told = re.search(rf"(?m)^{robots} +rt/\*/scan +(>?[\d.]+) %", finished.out).group(1)
+            self.assertAlmostEqual(float(told.lstrip(">")), 100 * share, delta=0.0501)
+        page = pathlib.Path(finished["page"]).read_text()
+        self.assertIn("the air is full", page)
+        self.assertEqual(page.count("<svg"), 3)
+        self.assertNotIn("http:", page.replace("http://www.w3.org", ""), "it needs no network")
+
+    def test_profiles_and_radios_are_compared(self):
+        content = {**FLEET, "robots": {"group": "robots", "from": 2, "to": 2}, "replications": 1,
+                   "radios": {"slow": {"radio.data_rate": "6 Mb/s"}, "fast": {"radio.data_rate": "54 Mb/s"}},
+                   "profiles": {"default": {}, "one_frame": {"vendor": "cyclonedds", "file": "cyclone_one_frame.xml"}}}
+        finished = self.fleet(content)
+        air = {}
+        for name in "slow, default", "slow, one_frame", "fast, default", "fast, one_frame":
+            part = finished.out.split(f"\n{name}\n", 1)[1]
+            air[name] = float(re.search(r"(?m)^all transmissions +([\d.]+) %", part).group(1))
+        self.assertLess(air["fast, default"], 0.5 * air["slow, default"])
+        self.assertNotEqual(air["slow, default"], air["slow, one_frame"])
+        self.assertRegex(finished.out, r"(?m)^slow: at least 2 robots with profile \w+\. Of the others, profile \w+ holds as many")
+        best = set(re.findall(r"(?m)^(?:slow|fast): at least 2 robots with profile (\w+)", finished.out))
+        self.assertEqual("MaxMessageSize" in pathlib.Path(finished["page"]).read_text(), "one_frame" in best,
+                         "the XML of a best profile, and of no other, is on the page")
+
+    def test_a_reader_that_is_out_of_range_is_told(self):
+        scenario = json.loads(json.dumps(SCENARIO))
+        scenario["agents"]["base"]["poses"] = [{"x": "5 km", "y": "0 m"}]
+        self.write("hall.yaml", scenario)
+        finished = self.fleet({**FLEET, "robots": {"group": "robots", "from": 1, "to": 1}, "replications": 1})
+        self.assertRegex(finished.out, r"(?m)^fewer than 1 robots with .*\*/scan fails first: some samples never arrive\. Cause: no access point")
+
+
+class GoingOn(Fleets):
+    def test_after_ctrl_c_it_goes_on_to_the_same_answer(self):
+        whole = self.fleet(FLEET, out=self.folder / "whole")
+        program = self.begin(FLEET)
+        wait_for(lambda: any(self.out.glob("runs/*/run.sqlite")))
+        send(program.process.pid, "SIGINT")
+        self.assertEqual(program.finish().status, 130)
+        self.assertEqual(self.tables(self.fleet(FLEET)), self.tables(whole))
+        self.assertEqual(self.tables(self.fleet(FLEET, "--status")), self.tables(whole))
+
+    def test_a_narrower_need_takes_no_new_runs(self):
+        self.fleet({**FLEET, "robots": {"group": "robots", "from": 2, "to": 2}})
+        again = self.begin({**FLEET, "robots": {"group": "robots", "from": 2, "to": 2},
+                            "need": [{"topic": "*/scan", "p95": "1 us"}]}, "--status").finish()
+        self.assertRegex(again.out, r"fewer than 2 robots .* 95 % latency .*, asked 1 us")
+
+
+class Mistakes(Fleets):
+    def refused(self, content, *words):
+        finished = Program("baraka", "check", self.write("fleet.yaml", content)).finish()
+        self.assertNotEqual(finished.status, 0)
+        for word in words:
+            self.assertIn(word, finished.err)
+
+    def test_each_has_its_place(self):
+        robots = FLEET["robots"]
+        self.refused({**FLEET, "robots": {**robots, "group": "robot"}}, "fleet.yaml:", "has no group 'robot', only ap, base, robots")
+        self.refused({**FLEET, "robots": {**robots, "group": "base"}}, "hall.yaml:", "placed one by one")
+        self.refused({**FLEET, "robots": {**robots, "to": 1}}, "fleet.yaml:6:", "must not be less than `from`")
+        self.refused({**FLEET, "need": [{"topic": "*/scan"}]}, "fleet.yaml:", "needs a limit")
+        self.refused({**FLEET, "need": []}, "must have at least one")
+        self.refused({**FLEET, "need": [{"topic": "*/scan", "delivered": "101 %"}]}, "fleet.yaml:", "101 % is above the limit of 1")
+        self.refused({**FLEET, "profiles": {"a": {"file": "no.xml"}}}, "fleet.yaml:", "no.xml")
+        self.refused({**FLEET, "profiles": {"a": {"vendor": "opendds"}}}, "fleet.yaml:", "not one of cyclonedds, fastdds")
+        self.refused({**FLEET, "radios": {"a": {"radio.data_rat": "6 Mb/s"}}}, "fleet.yaml:", "data_rat")
+        self.refused({**FLEET, "until": "1 s"}, "fleet.yaml:", "must be later than `warm_up`")
+
+
+if __name__ == "__main__":
+    if not has_networks():
+        print("skipped: needs user namespaces and /dev/net/tun", file=sys.stderr)
+        sys.exit(SKIPPED)
+    unittest.main()
