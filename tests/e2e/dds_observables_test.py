@@ -78,6 +78,7 @@ class Observables(Topics):
             with self.subTest(vendor=vendor):
                 self.run_baraka(self.scenario(vendor), *observing(
                     "{name: dds.*.*.*, every: 100 ms}", "{name: dds.*.*.latency, on: change, as: histogram}"))
+                self.check_countable()
                 last = {key: row[1] for key, row in self.sums().items()}
                 rows = self.query(SAMPLES)
                 self.assertEqual({(agent, topic) for agent, topic, *_ in rows},
