@@ -12,7 +12,6 @@
 #include "baraka/campaign/program_digests.h"
 #include "baraka/run/check/check_scenario.h"
 #include "baraka/run/check/program_pace.h"
-#include "baraka/run/network/network_of_run.h"
 #include "gateway/process/exit_status.h"
 #include "hal/files/config/document.h"
 #include "hal/files/config/errors.h"
@@ -111,6 +110,11 @@ std::vector<std::string> overrides_of(const DesignPoint& point, std::uint64_t se
   return overrides;
 }
 
+bool has_network(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.simulation.agents,
+                             [](const auto& agent) { return agent.network.has_value(); });
+}
+
 /// @throws ConfigErrors  its pace is none, or none for programs inside agents.
 void check_pace(const CampaignFile& file, bool has_programs) {
   try {
@@ -156,7 +160,7 @@ void check_each(CheckedCampaign& campaign, const fs::path& scenario,
       const run::check::CheckedScenario checked =
           run::check::check_scenario(scenario, overrides_of(points[i], campaign.seed), mode);
       const Scenario& one = checked.scenario;
-      check_pace(campaign.file, run::network::has_network(one));
+      check_pace(campaign.file, has_network(one));
       warnings.insert(checked.remarks.begin(), checked.remarks.end());
       row.scenario = sim::scenario::resolved_yaml(one);
       campaign.controllers.merge(controllers_of(one));

@@ -31,27 +31,27 @@ bool matches(std::string_view pattern, std::string_view name) {
 }
 
 bool overlap(std::string_view one, std::string_view other) {
-  // From the ends: whether the rests one[i..] and other[k..] have a name in common, for all k.
-  std::vector<char> next(other.size() + 1, 0);
+  const auto is_star = [](std::string_view of, std::size_t at) {
+    return at < of.size() && of[at] == '*';
+  };
+  const auto meet = [](char a, char b) { return a == b || a == '?' || b == '?'; };
+  // From the ends: rest[k] is whether one[i..] and other[k..] have a name in common, next[k] the
+  // same of one[i + 1..].
+  std::vector<bool> next(other.size() + 1, false);
   for (std::size_t i = one.size() + 1; i-- > 0;) {
-    std::vector<char> rest(other.size() + 1, 0);
-    const bool starts = i < one.size() && one[i] == '*';
-    for (std::size_t k = other.size() + 1; k-- > 0;) {
-      const bool is_end = i == one.size() && k == other.size();
-      if (starts || (k < other.size() && other[k] == '*')) {
+    std::vector<bool> rest(other.size() + 1, false);
+    rest.back() = i == one.size() || (is_star(one, i) && next.back());
+    for (std::size_t k = other.size(); k-- > 0;) {
+      if (is_star(one, i) || is_star(other, k)) {
         // A star ends here, or takes what the other pattern begins with.
-        rest[k] = static_cast<char>((i < one.size() && next[k] != 0) ||
-                                    (k < other.size() && rest[k + 1] != 0));
-      } else if (i < one.size() && k < other.size()) {
-        const bool same = one[i] == other[k] || one[i] == '?' || other[k] == '?';
-        rest[k] = static_cast<char>(same && next[k + 1] != 0);
+        rest[k] = next[k] || rest[k + 1];
       } else {
-        rest[k] = static_cast<char>(is_end);
+        rest[k] = i < one.size() && meet(one[i], other[k]) && next[k + 1];
       }
     }
     next.swap(rest);
   }
-  return next.front() != 0;
+  return next.front();
 }
 
 }  // namespace hal

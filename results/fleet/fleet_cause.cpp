@@ -120,9 +120,12 @@ void explain_delay(const CaseAnswer& answer, const SampleAnswer& need, Miss& mis
 }
 
 void explain_silence(const CaseAnswer& answer, const SampleAnswer& need, Miss& miss) {
-  miss.cause = answer.unassociated > 0 ? Cause::kNoAccessPoint : Cause::kDiscovery;
+  miss.cause = Cause::kDiscovery;
+  if (is_full(answer)) miss.cause = Cause::kAirFull;
+  if (answer.unassociated > 0) miss.cause = Cause::kNoAccessPoint;
   miss.evidence = joined(
-      {need.pairs == 0 ? "no writer and reader of it were announced"
+      {answer.busy ? busy_text(answer) : "",
+       need.pairs == 0 ? "no writer and reader of it were announced"
                        : fmt::format("{} of {} pairs of writer and reader never had a sample",
                                      need.silent, need.pairs),
        answer.unassociated > 0

@@ -135,23 +135,30 @@ void read_backlogs(RunReader& reader, const AgentNames& names, FleetRun& run) {
   }
 }
 
-/// Counts handovers, and stations without any access point.
-void read_associations(RunReader& reader, FleetRun& run) {
-  std::map<std::int64_t, std::set<std::int64_t>> with;
+/// Whether stations associate with access points.
+bool has_access_points(RunReader& reader) {
+  Statement found = reader.query("SELECT key FROM settings WHERE key LIKE '%bss.access_point%'");
+  return found.next();
+}
+
+/// Counts handovers, and agents of the pairs that never had an access point.
+void read_associations(RunReader& reader, const AgentNames& names, const Pairs& pairs,
+                       FleetRun& run) {
+  std::set<std::string> without;
+  for (const auto& [key, pair] : pairs) without.insert({pair.writer, pair.reader});
   std::map<std::int64_t, std::int64_t> last;
   Statement found =
       reader.query("SELECT station, access_point FROM associations ORDER BY at_ns, rowid");
   while (found.next()) {
-    const std::int64_t station = found.integer(0);
-    with.try_emplace(station);
     if (found.is_null(1)) continue;
     const std::int64_t point = found.integer(1);
-    with[station].insert(point);
-    const auto [before, is_first] = last.try_emplace(station, point);
+    without.erase(name_at(names, found.integer(0)));
+    without.erase(name_at(names, point));
+    const auto [before, is_first] = last.try_emplace(found.integer(0), point);
     if (!is_first && before->second != point) ++run.handovers;
     before->second = point;
   }
-  for (const auto& [station, points] : with) run.unassociated += points.empty() ? 1 : 0;
+  if (has_access_points(reader)) run.unassociated = without.size();
 }
 
 }  // namespace
@@ -194,7 +201,7 @@ FleetRun read_fleet_run(const std::filesystem::path& folder, const FleetFile& fl
   read_air(reader, agents, run);
   read_use(reader, names, run);
   read_backlogs(reader, names, run);
-  read_associations(reader, run);
+  read_associations(reader, names, pairs, run);
   return run;
 }
 

@@ -82,6 +82,18 @@ std::string total(std::string_view value) {
   return fmt::format("SELECT '', {} FROM sample_sums HAVING {}", value, kSamplesAreCounted);
 }
 
+/// Lost samples by topic and cause, also 0.
+std::string of_losses() {
+  return fmt::format(
+      "SELECT '', IFNULL(SUM(l.count), 0), t.topic, w.verdict"
+      " FROM (SELECT DISTINCT topic FROM dds_endpoints) t JOIN (SELECT word AS verdict"
+      " FROM countable WHERE family = 'dds.lost' UNION SELECT verdict FROM"
+      " sample_losses) w LEFT JOIN (SELECT topic, verdict, count FROM sample_losses"
+      " JOIN dds_endpoints ON guid = writer) l ON l.topic = t.topic AND l.verdict ="
+      " w.verdict WHERE {} GROUP BY 3, 4 ORDER BY 3, 4",
+      kSamplesAreCounted);
+}
+
 std::vector<ScalarKind> total_scalars() {
   return {
       {"dds.samples", "1",
@@ -117,14 +129,7 @@ std::vector<ScalarKind> sample_scalars() {
       {"dds.TOPIC.lost.VERDICT", "1",
        "samples that were lost, by the outcome of the last frame that carried a missing part, as "
        "in the table sample_losses",
-       fmt::format("SELECT '', IFNULL(SUM(l.count), 0), t.topic, w.verdict"
-                   " FROM (SELECT DISTINCT topic FROM dds_endpoints) t JOIN (SELECT word AS verdict"
-                   " FROM countable WHERE family = 'dds.lost' UNION SELECT verdict FROM"
-                   " sample_losses) w LEFT JOIN (SELECT topic, verdict, count FROM sample_losses"
-                   " JOIN dds_endpoints ON guid = writer) l ON l.topic = t.topic AND l.verdict ="
-                   " w.verdict WHERE {} GROUP BY 3, 4 ORDER BY 3, 4",
-                   kSamplesAreCounted),
-       Range::kCount, "", true},
+       of_losses(), Range::kCount, "", true},
   };
 }
 

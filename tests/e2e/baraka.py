@@ -125,6 +125,7 @@ class Case(unittest.TestCase):
                 ("requests", "SELECT verdict FROM requests"),
                 ("messages.ends", "SELECT verdict FROM message_ends WHERE destination < 65534"),
                 ("routing.events", "SELECT event FROM routing_events"),
+                ("air", "SELECT purpose FROM air_accounts"), ("dds.lost", "SELECT verdict FROM sample_losses"),
                 ("states", "SELECT state FROM states JOIN agents USING (agent) WHERE program IN "
                            "(SELECT program FROM countable WHERE family = 'states')")):
             found = self.query(f"{counted} EXCEPT SELECT word FROM countable WHERE family = '{family}'")

@@ -70,7 +70,7 @@ class Fleets(Case):
 class Answer(Fleets):
     def test_two_robots_fit_and_six_do_not_because_the_air_is_full(self):
         finished = self.fleet(FLEET)
-        self.assertRegex(finished.out, r"(?m)^2 robots with the scenario's profile\. With 6, \*/scan fails first: delivered .*"
+        self.assertRegex(finished.out, r"(?m)^2 robots with the scenario's profile\. With 6, \*/scan fails first: (?:delivered|some samples) .*"
                                        r"Cause: the air is full \(the medium at .* has frames to send in ")
         for point, robots in (1, 2), (2, 6):
             runs = self.samples(point, robots)
@@ -135,7 +135,7 @@ class Mistakes(Fleets):
         robots = FLEET["robots"]
         self.refused({**FLEET, "robots": {**robots, "group": "robot"}}, "fleet.yaml:", "has no group 'robot', only ap, base, robots")
         self.refused({**FLEET, "robots": {**robots, "group": "base"}}, "hall.yaml:", "placed one by one")
-        self.refused({**FLEET, "robots": {**robots, "to": 1}}, "fleet.yaml:6:", "must not be less than `from`")
+        self.refused({**FLEET, "robots": {**robots, "to": 1}}, "fleet.yaml:", "robots.to: must not be less than `from`")
         self.refused({**FLEET, "need": [{"topic": "*/scan"}]}, "fleet.yaml:", "needs a limit")
         self.refused({**FLEET, "need": []}, "must have at least one")
         self.refused({**FLEET, "need": [{"topic": "*/scan", "delivered": "101 %"}]}, "fleet.yaml:", "101 % is above the limit of 1")

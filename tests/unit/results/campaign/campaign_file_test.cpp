@@ -59,6 +59,7 @@ TEST(CampaignFile, WithoutADesignHasOnePoint) {
   EXPECT_EQ(campaign.keep, Keep::kNone);
   EXPECT_FALSE(campaign.jobs);
   EXPECT_FALSE(campaign.until);
+  EXPECT_EQ(campaign.pace, "lockstep");
 }
 
 TEST(CampaignFile, AGridHasEveryCombinationTheFirstKeySlowest) {

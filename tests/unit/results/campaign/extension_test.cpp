@@ -88,6 +88,15 @@ TEST_F(Extensions, MoreReplicationsAndPointsAreAddedAndWhatWasThereKeepsItsNumbe
   EXPECT_EQ(more.plan.runs[2].seed, 7U);
 }
 
+TEST_F(Extensions, WithoutAPaceTheRunsAreInLockStep) {
+  extend(wanted({"1"}, 1));
+  WantedRuns other = wanted({"1"}, 1);
+  other.values.emplace_back("pace", "lockstep");
+  extend(other);
+  other.values.back().second = "realtime";
+  EXPECT_THAT(refused(other), testing::HasSubstr("pace: there 'lockstep', now 'realtime'"));
+}
+
 TEST_F(Extensions, AnyOtherChangeIsRefusedByName) {
   extend(wanted({"1", "2"}, 2));
   EXPECT_THAT(refused(wanted({"1"}, 2)), testing::HasSubstr("point 2 there, speed=2"));

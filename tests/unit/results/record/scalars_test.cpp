@@ -275,5 +275,10 @@ TEST_F(ScalarsOfNothing, LeaveOutWhatThereIsNot) {
   EXPECT_TRUE(series.empty());
 }
 
+TEST_F(Scalars, OfARunWithoutNetworksAreNotOfTopics) {
+  for (const Scalar& one : all)
+    EXPECT_FALSE(one.name.starts_with("dds.") || one.name.starts_with("air.")) << one.name;
+}
+
 }  // namespace
 }  // namespace results::record::test

@@ -155,6 +155,30 @@ TEST_F(ExperimentTest, ATopicThatOneRunHasIsZeroInOthersOfTheSameControllers) {
   EXPECT_EQ(sent, (std::map<std::size_t, double>{{0, 1}, {1, 0}, {2, 0}}));
 }
 
+/// A run with a network whose writer of "scan", if it was announced, sent four samples.
+std::string with_scan(const std::string& sql, bool is_announced) {
+  std::string all = sql + "INSERT INTO countable VALUES ('dds.lost', '', 'collision');";
+  if (is_announced)
+    all +=
+        "INSERT INTO dds_endpoints VALUES ('aa', 1, 'writer', 'scan', 't', 'reliable',"
+        " 'volatile', 0), ('bb', 2, 'reader', 'scan', 't', 'reliable', 'volatile', 0);"
+        "INSERT INTO sample_sums VALUES ('aa', 2, 4, 3, 2, 0, 1, 4, 400, 8000000);";
+  return all;
+}
+
+// What was never announced was not sent to anyone; what share of it arrived, no one can say.
+TEST_F(ExperimentTest, ATopicThatWasNotAnnouncedHasNoSamplesAndNoShare) {
+  const std::string setting = ", ('agents.r.speed','0.3 m/s'), ('radio.loss','0')";
+  add("a", with_scan(experiment_sql(setting, 1, 10), true));
+  add("b", with_scan(experiment_sql(setting, 2, 10), false));
+  add("c", experiment_sql(setting, 3, 10));  // without a record of samples
+  const Experiment experiment = read();
+  const auto of = [&](const char* name) { return experiment.values.at({name, ""}); };
+  EXPECT_EQ(of("dds.scan.samples"), (std::map<std::size_t, double>{{0, 4}, {1, 0}}));
+  EXPECT_EQ(of("dds.scan.lost.collision"), (std::map<std::size_t, double>{{0, 0}, {1, 0}}));
+  EXPECT_EQ(of("dds.scan.delivered_share"), (std::map<std::size_t, double>{{0, 0.75}}));
+}
+
 /// A run in which so many requests were given up.
 std::string with_given_up(const std::string& sql, int count) {
   std::string all = sql + "INSERT INTO countable VALUES ('requests', '', 'retry limit');";
