@@ -24,6 +24,7 @@ class Cursor {
   std::uint8_t u8() { return read<std::uint8_t>(); }
   std::uint16_t u16() { return read<std::uint16_t>(); }
   std::uint32_t u32() { return read<std::uint32_t>(); }
+  std::uint64_t u64() { return read<std::uint64_t>(); }
   /// SequenceNumber_t (9.3.2): a signed high and an unsigned low half.
   std::int64_t sequence_number() {
     const std::uint64_t high = u32();
@@ -66,6 +67,7 @@ class Cursor {
   static std::uint8_t swapped(std::uint8_t value) { return value; }
   static std::uint16_t swapped(std::uint16_t value) { return __builtin_bswap16(value); }
   static std::uint32_t swapped(std::uint32_t value) { return __builtin_bswap32(value); }
+  static std::uint64_t swapped(std::uint64_t value) { return __builtin_bswap64(value); }
 
   Octets octets_;
   Endianness endianness_;

@@ -35,7 +35,9 @@ struct RecordedFlow {
 struct Recording {
   Duration length{};  ///< From the first sample to the last.
   std::vector<RecordedTopic> topics;
-  std::vector<RecordedFlow> flows;  ///< Of a pcap or pcapng only.
+  std::vector<RecordedFlow> flows{};  ///< Of a pcap or pcapng only.
+  /// What the reader must know of the numbers, as lines: what was left out, what is not told.
+  std::vector<std::string> notes{};
 };
 
 /// Reads an MCAP file, a rosbag2 (its folder, its metadata.yaml or a .db3), a pcap or a pcapng.
