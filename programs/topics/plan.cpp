@@ -40,7 +40,7 @@ json json_of(const Recorded& recorded) {
   json samples = json::array();
   for (const Recorded::Sample& one : recorded.samples)
     samples.push_back({one.at.count(), one.bytes});
-  return {{"recorded", std::move(samples)}};
+  return {{"recorded", std::move(samples)}, {"repeat_after_ns", recorded.repeat_after.count()}};
 }
 
 json rhythm_json(const WrittenTopic& topic) {
@@ -82,7 +82,7 @@ decltype(WrittenTopic::rhythm) rhythm_of(const json& in) {
     return Bursts{in.at("bursts").get<double>(), in.at("samples").get<std::uint32_t>(),
                   nanoseconds("spacing_ns")};
   }
-  Recorded recorded;
+  Recorded recorded{.samples = {}, .repeat_after = nanoseconds("repeat_after_ns")};
   for (const json& one : in.at("recorded")) {
     recorded.samples.push_back(
         {hal::Duration(one.at(0).get<std::int64_t>()), one.at(1).get<std::uint32_t>()});

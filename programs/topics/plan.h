@@ -50,7 +50,8 @@ struct Recorded {
     hal::Duration at{};
     std::uint32_t bytes = 0;  ///< Serialised.
   };
-  std::vector<Sample> samples;  ///< In order of time.
+  std::vector<Sample> samples;   ///< In order of time.
+  hal::Duration repeat_after{};  ///< From one beginning to the next; 0: it is played once.
 };
 
 /// A topic that the participant writes.

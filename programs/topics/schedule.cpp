@@ -50,12 +50,22 @@ std::uint32_t Schedule::size() {
       topic_.sizes);
 }
 
+std::optional<DueSample> Schedule::recorded(const Recorded& recording) const {
+  const std::size_t count = recording.samples.size();
+  if (count == 0 || (index_ >= count && recording.repeat_after <= hal::Duration::zero()))
+    return std::nullopt;
+  const Recorded::Sample& sample = recording.samples[index_ % count];
+  const auto round = static_cast<std::int64_t>(index_ / count);
+  return DueSample{hal::from_seconds(phase_) + round * recording.repeat_after + sample.at,
+                   std::max(sample.bytes, kLeastSize)};
+}
+
 std::optional<DueSample> Schedule::next() {
   DueSample due;
-  if (const auto* const recorded = std::get_if<Recorded>(&topic_.rhythm)) {
-    if (index_ == recorded->samples.size()) return std::nullopt;
-    const Recorded::Sample& sample = recorded->samples[index_];
-    due = {hal::from_seconds(phase_) + sample.at, std::max(sample.bytes, kLeastSize)};
+  if (const auto* const recording = std::get_if<Recorded>(&topic_.rhythm)) {
+    const auto sample = recorded(*recording);
+    if (!sample) return std::nullopt;
+    due = *sample;
   } else {
     due.at = std::visit(hal::Overloaded{[](const Recorded&) { return hal::Duration{}; },
                                         [this](const auto& rhythm) { return at(rhythm); }},

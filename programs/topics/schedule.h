@@ -30,6 +30,7 @@ class Schedule {
   hal::Duration at(const Poisson& rhythm);
   hal::Duration at(const Bursts& rhythm);
   std::uint32_t size();
+  std::optional<DueSample> recorded(const Recorded& recording) const;
 
   const WrittenTopic& topic_;
   hal::RandomStream instants_, sizes_;

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "hal/types/overloaded.h"
-#include "sim/scenario/topic_parts.h"
 
 namespace baraka::run::network {
 namespace {
@@ -37,11 +36,23 @@ decltype(WrittenTopic::rhythm) rhythm_of(const TopicItem& item) {
                     item.rhythm);
 }
 
+WrittenTopic written(const sim::scenario::TopicPart& part, sim::scenario::Recordings& recordings) {
+  if (part.recorded == nullptr)
+    return {part.name, part.qos, sizes_of(*part.item), rhythm_of(*part.item)};
+  programs::topics::Recorded recorded;
+  for (const auto& sample : part.recorded->samples)
+    recorded.samples.push_back({sample.at, sample.bytes});
+  if (part.item->recorded.repeats)
+    recorded.repeat_after = recordings.of(part.item->recorded.from).length;
+  return {part.name, part.qos, {}, std::move(recorded)};
+}
+
 }  // namespace
 
 programs::topics::Plan topic_plan(const sim::scenario::PlannedProgram& planned,
                                   const sim::scenario::Scenario& scenario,
-                                  const std::filesystem::path& results) {
+                                  const std::filesystem::path& results,
+                                  sim::scenario::Recordings& recordings) {
   const sim::scenario::DdsKeys& dds = planned.group->dds;
   programs::topics::Plan plan{
       .name = planned.agent_name,
@@ -51,20 +62,21 @@ programs::topics::Plan topic_plan(const sim::scenario::PlannedProgram& planned,
       .journal = results / sim::scenario::topic_journal_file(planned.agent_name),
       .writes = {},
       .reads = {}};
-  for (const auto& part : written_topics(scenario, *planned.group, planned.agent))
-    plan.writes.push_back({part.name, part.item->qos, sizes_of(*part.item), rhythm_of(*part.item)});
-  for (const auto& part : read_topics(scenario, planned.agent))
-    plan.reads.push_back({part.name, part.item->qos});
+  for (const auto& part : written_topics(scenario, *planned.group, planned.agent, recordings))
+    plan.writes.push_back(written(part, recordings));
+  for (const auto& part : read_topics(scenario, planned.agent, recordings))
+    plan.reads.push_back({part.name, part.qos});
   return plan;
 }
 
 void write_topic_plan(const sim::scenario::PlannedProgram& planned,
-                      const sim::scenario::Scenario& scenario,
-                      const std::filesystem::path& results) {
+                      const sim::scenario::Scenario& scenario, const std::filesystem::path& results,
+                      sim::scenario::Recordings& recordings) {
   const std::filesystem::path file =
       filled_in(planned.program->command.back(), words_of(planned, scenario, results));
   std::ofstream out(file);
-  out << json_text(topic_plan(planned, scenario, std::filesystem::absolute(results))) << std::flush;
+  out << json_text(topic_plan(planned, scenario, std::filesystem::absolute(results), recordings))
+      << std::flush;
   if (!out) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
