@@ -60,7 +60,7 @@ void dds_keys(Fields& io, DdsKeys& c) {
            {"profile",
             "The vendor's configuration, an XML file: of Cyclone DDS what CYCLONEDDS_URI names, of "
             "Fast DDS the default profiles. Relative to this file's folder, or to the shared one.",
-            "../dds/cyclone_spdp_500ms.xml", "none"},
+            "dds/cyclone_spdp_500ms.xml", "none"},
            c.profile);
   io.count({"domain", "DDS domain.", "0"}, 0, kLastDomain, c.domain);
   io.duration({"start", "Simulated time at which the participants start.", "200 ms"}, kTimeOfRun,
