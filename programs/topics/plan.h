@@ -68,6 +68,13 @@ struct ReadTopic {
   hal::TopicQos qos;
 };
 
+/// UDP datagrams that are not RTPS, each to all of the addresses.
+struct SentFlow {
+  std::uint16_t port = 0;
+  std::vector<std::string> to;  ///< IPv4: "10.77.0.3".
+  Recorded datagrams;           ///< Their `bytes` are of UDP's payload.
+};
+
 /// What one participant writes and reads.
 struct Plan {
   std::string name;  ///< Of the participant.
@@ -77,6 +84,8 @@ struct Plan {
   std::filesystem::path journal;  ///< File to be written at the end.
   std::vector<WrittenTopic> writes;
   std::vector<ReadTopic> reads;
+  std::vector<SentFlow> flows{};       ///< Sent beside DDS.
+  std::vector<std::uint16_t> ports{};  ///< Of UDP, on which others' flows are received.
 };
 
 /// The plan as JSON; parsed() gives the same plan.

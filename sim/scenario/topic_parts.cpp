@@ -20,11 +20,6 @@ const agents::AgentConfig* agent_of(const Scenario& scenario, hal::AgentId id) {
   return found == all.end() ? nullptr : &*found;
 }
 
-bool is_reader(const TopicItem& item, const std::string& agent) {
-  return std::ranges::any_of(
-      item.readers, [&](const std::string& pattern) { return hal::matches(pattern, agent); });
-}
-
 /// Name of a recorded topic for the agent that kAgentWord stands for.
 std::string renamed(const TopicItem& item, const std::string& name) {
   const auto given = item.recorded.rename.find(name);
@@ -115,6 +110,11 @@ const Recording& Recordings::of(const std::filesystem::path& file) {
 
 std::string topic_plan_file(const std::string& agent) { return agent + ".topics.plan.json"; }
 std::string topic_journal_file(const std::string& agent) { return agent + ".topics.json"; }
+
+bool is_reader(const TopicItem& item, const std::string& agent) {
+  return std::ranges::any_of(
+      item.readers, [&](const std::string& pattern) { return hal::matches(pattern, agent); });
+}
 
 std::vector<TopicPart> written_topics(const Scenario& scenario, const Group& group,
                                       hal::AgentId agent, Recordings& recordings) {

@@ -44,6 +44,9 @@ std::vector<TopicPart> written_topics(const Scenario& scenario, const Group& gro
 std::vector<TopicPart> read_topics(const Scenario& scenario, hal::AgentId agent,
                                    Recordings& recordings);
 
+/// Whether an agent is among the readers of another one's item.
+bool is_reader(const TopicItem& item, const std::string& agent);
+
 /// Whether an agent of the group writes or reads any topic.
 bool has_topics(const Scenario& scenario, const Group& group, hal::AgentId agent);
 

@@ -150,6 +150,11 @@ void recorded_keys(Fields& io, TopicItem& c) {
   rename_key(io, c.recorded);
   io.flag({"repeat", "With `from`: whether it begins again when it is over.", "true"},
           c.recorded.repeats);
+  io.flag({"flows",
+           "With `from`: whether the recording's UDP datagrams that are not RTPS are sent, too, to "
+           "the same ports of the readers.",
+           "true"},
+          c.recorded.has_flows);
   recorded_qos_keys(io, c.recorded);
 }
 
@@ -201,6 +206,7 @@ Program player_of(const Group& group) {
       .log = fmt::format("{}.topics.log", kAgentWord),
       .on_exit = OnExit::kFail,
       .is_shipped = true};
+  if (!group.places.empty()) player.place = group.places.front();
   if (!group.topics.empty()) player.place = group.topics.front().place;
   if (group.dds.profile.empty()) return player;
   const std::string file = group.dds.profile.string();

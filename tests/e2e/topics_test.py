@@ -2,6 +2,7 @@
 """Agents' `topics:` are on the air as they are stated: sizes, instants, QoS, of both vendors and between them, in lock-step."""
 import collections
 import json
+import os
 import pathlib
 import shutil
 import statistics
@@ -239,6 +240,59 @@ class Topics(Case):
         got = self.received("base")["rt/r0/scan", "r0"]["samples"]
         # At least nine of ten seconds, ten samples in each 0.92 s.
         self.assertAlmostEqual(got, 10 * 9.5 / 0.92, delta=7)
+
+    def test_writes_that_block_are_refused_in_time_and_delay_no_other_topic(self):
+        """Cyclone DDS blocks a reliable writer with KEEP_ALL for up to 100 ms: 32 Mb/s do not go over 54 Mb/s of g."""
+        self.play(item(name="much", size="200 kB", rate="20 Hz", history="all"), item(name="little", size="100 B", rate="20 Hz"))
+        much, little = self.written("r0")["much"], self.written("r0")["little"]
+        self.assertGreater(much["refused"], 0)
+        self.assertGreater(much["latest_ns"], 10 ** 7)
+        self.assertEqual((little["refused"], little["latest_ns"]), (0, 0))
+        self.assertIn(little["samples"], (99, 100))
+
+    def test_flows_of_udp_are_sent_and_received(self):
+        plan = {"domain": 0, "seed": 1, "begin_ns": 10 ** 9, "writes": [], "reads": [], "flows": [], "ports": []}
+        flow = {"port": 9000, "to": ["10.77.0.2", "10.77.0.3"], "repeat_after_ns": 0,
+                "recorded": [[0, 100], [10 ** 6, 1472], [2 * 10 ** 6, 5000]]}
+        scenario = "version: 1\nradio: {profile: ieee80211g}\nrouting: none\nend: [{at: 4 s, result: done}]\nagents:\n"
+        for i, more in enumerate(({"flows": [flow]}, {"ports": [9000]}, {"ports": [9000]})):
+            journal = self.folder / f"journal{i}.json"
+            file = self.folder / f"plan{i}.json"
+            file.write_text(json.dumps({**plan, **more, "name": f"a{i}", "journal": str(journal)}))
+            command = f"[{os.environ['BARAKA_BIN']}/baraka-topics-{VENDORS[i % 2]}, {file}]"
+            scenario += (f"  a{i}: {{name: a{i}, station: {{}}, poses: [{{x: {i} m, y: 0 m}}], network: {{address: 10.77.0.{i + 1}/16}},"
+                         f" programs: [{{name: p, command: {command}}}]}}\n")
+        (self.folder / "flows.yaml").write_text(scenario)
+        self.run_baraka(self.folder / "flows.yaml")
+        journals = [json.loads((self.folder / f"journal{i}.json").read_text()) for i in range(3)]
+        self.assertEqual([(one["port"], one["samples"], one["refused"]) for one in journals[0]["datagrams_sent"]], [(9000, 6, 0)])
+        for journal in journals[1:]:
+            (got,) = journal["datagrams_received"]
+            self.assertEqual((got["port"], got["sender"], got["samples"]), (9000, "10.77.0.1", 3))
+            # 1 s, the recording's shift below 1 s, up to 10 ms until the program starts, and the first datagram's way.
+            self.assertTrue(10 ** 9 < got["first_ns"] - EPOCH < 2.1 * 10 ** 9, got)
+            self.assertAlmostEqual(got["last_ns"] - got["first_ns"], 2 * 10 ** 6, delta=4 * 10 ** 6)
+        self.assertGreater(self.query("SELECT SUM(bits) FROM air_accounts WHERE port = 9000")[0][0], 8 * 2 * 6572)
+
+    def test_players_refuse_what_is_no_plan(self):
+        (self.folder / "none.json").write_text("{}")
+        for vendor in VENDORS:
+            program = f"{os.environ['BARAKA_BIN']}/baraka-topics-{vendor}"
+            for arguments, status, said in (([], 2, "usage:"), (["/nowhere.json"], 1, "/nowhere.json: cannot be read"),
+                                            ([self.folder / "none.json"], 1, "none.json: ")):
+                done = subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, status, done.stderr)
+                self.assertIn(said, done.stderr)
+
+    def test_a_profile_that_the_vendor_refuses_fails_the_run(self):
+        (self.folder / "bad.xml").write_text("<CycloneDDS><Domain><Nonsense>1</Nonsense></Domain></CycloneDDS>")
+        self.scenario = self.folder / "bad.yaml"
+        self.scenario.write_text(SCENARIO.format(
+            topics=item(name="a", size="8 B", rate="1 Hz"), writer="cyclonedds", reader="cyclonedds", robots=1, seed=1, end=3, loss=0,
+            retries=7, late="0 s").replace("dds: {vendor: cyclonedds}", "dds: {profile: bad.xml}"))
+        finished = self.run_baraka(self.scenario, status=1)
+        self.assertIn("program topics of r0 exited with status 1; see r0.topics.log", str(finished))
+        self.assertIn("participant cannot be created", (self.out / "r0.topics.log").read_text())
 
     def test_the_shipped_scenario_carries_four_robots_and_not_eight(self):
         shares = []

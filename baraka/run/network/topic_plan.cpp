@@ -1,6 +1,7 @@
 #include "baraka/run/network/topic_plan.h"
 
 #include <fstream>
+#include <set>
 #include <stdexcept>
 
 #include "hal/types/overloaded.h"
@@ -36,15 +37,51 @@ decltype(WrittenTopic::rhythm) rhythm_of(const TopicItem& item) {
                     item.rhythm);
 }
 
+programs::topics::Recorded played(const std::vector<hal::files::recording::RecordedSample>& samples,
+                                  const TopicItem& item,
+                                  const hal::files::recording::Recording& recording) {
+  programs::topics::Recorded recorded;
+  for (const auto& sample : samples) recorded.samples.push_back({sample.at, sample.bytes});
+  if (item.recorded.repeats) recorded.repeat_after = recording.length;
+  return recorded;
+}
+
 WrittenTopic written(const sim::scenario::TopicPart& part, sim::scenario::Recordings& recordings) {
   if (part.recorded == nullptr)
     return {part.name, part.qos, sizes_of(*part.item), rhythm_of(*part.item)};
-  programs::topics::Recorded recorded;
-  for (const auto& sample : part.recorded->samples)
-    recorded.samples.push_back({sample.at, sample.bytes});
-  if (part.item->recorded.repeats)
-    recorded.repeat_after = recordings.of(part.item->recorded.from).length;
-  return {part.name, part.qos, {}, std::move(recorded)};
+  const auto& recording = recordings.of(part.item->recorded.from);
+  return {part.name, part.qos, {}, played(part.recorded->samples, *part.item, recording)};
+}
+
+/// Addresses of the agents that read an item of the writer's.
+std::vector<std::string> addresses(const sim::scenario::Scenario& scenario, const TopicItem& item,
+                                   hal::AgentId writer) {
+  std::vector<std::string> found;
+  for (const sim::agents::AgentConfig& agent : scenario.simulation.agents) {
+    if (agent.network && agent.id != writer && is_reader(item, agent.name))
+      found.push_back(sim::scenario::dotted(agent.network->address));
+  }
+  return found;
+}
+
+void add_flows(programs::topics::Plan& plan, const sim::scenario::PlannedProgram& planned,
+               const sim::scenario::Scenario& scenario, sim::scenario::Recordings& recordings) {
+  std::set<std::uint16_t> ports;
+  for (const sim::scenario::Group& group : scenario.groups) {
+    const bool is_own = &group == planned.group;
+    for (const TopicItem& item : group.topics) {
+      if (!item.recorded.has_flows) continue;
+      const auto& recording = recordings.of(item.recorded.from);
+      const bool has_others = !is_own || group.agents.size() > 1;
+      for (const auto& flow : recording.flows) {
+        if (has_others && is_reader(item, plan.name)) ports.insert(flow.port);
+        if (!is_own) continue;
+        plan.flows.push_back({flow.port, addresses(scenario, item, planned.agent),
+                              played(flow.datagrams, item, recording)});
+      }
+    }
+  }
+  plan.ports.assign(ports.begin(), ports.end());
 }
 
 }  // namespace
@@ -66,6 +103,7 @@ programs::topics::Plan topic_plan(const sim::scenario::PlannedProgram& planned,
     plan.writes.push_back(written(part, recordings));
   for (const auto& part : read_topics(scenario, planned.agent, recordings))
     plan.reads.push_back({part.name, part.qos});
+  add_flows(plan, planned, scenario, recordings);
   return plan;
 }
 
