@@ -7,6 +7,7 @@ namespace baraka::commands {
 
 /// The command line of `baraka topic`.
 struct TopicOptions {
+  std::string file;           ///< Of topics_from().
   std::string topic;          ///< "rt/clock", or "/clock" or "clock" as in ROS 2.
   std::optional<int> domain;  ///< Set by topic_domain() before the functions below are called.
   std::optional<int> count;   ///< Samples; none: until interrupted or the last writer leaves.

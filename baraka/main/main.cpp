@@ -16,6 +16,7 @@
 #include "baraka/commands/report_command.h"
 #include "baraka/commands/topic_command.h"
 #include "baraka/commands/topic_domain.h"
+#include "baraka/commands/topic_from.h"
 #include "baraka/commands/view_command.h"
 #include "baraka/commands/wrong_kind.h"
 #include "baraka/main/run_options.h"
@@ -188,15 +189,25 @@ struct TopicCommand {
 
 /// @return the commands of `baraka topic`.
 std::vector<TopicCommand> add_topic(CLI::App& app, baraka::commands::TopicOptions& options) {
-  CLI::App* topic = app.add_subcommand("topic", "Inspect the topics of a run or a robot");
+  CLI::App* topic =
+      app.add_subcommand("topic", "Inspect the topics of a run, a robot or a recording");
   topic->require_subcommand(1);
   std::vector<TopicCommand> commands{
       {topic->add_subcommand("list", "All topics"), baraka::commands::list_topics},
       {topic->add_subcommand("info", "Type and endpoints"), baraka::commands::topic_info},
       {topic->add_subcommand("echo", "Samples"), baraka::commands::echo_topic},
       {topic->add_subcommand("hz", "Rate of samples"), baraka::commands::topic_rate},
-      {topic->add_subcommand("bw", "Bandwidth of samples"), baraka::commands::topic_bandwidth}};
+      {topic->add_subcommand("bw", "Bandwidth of samples"), baraka::commands::topic_bandwidth},
+      {topic->add_subcommand("from", "What a recording holds, as `topics:` of a scenario"),
+       baraka::commands::topics_from}};
   for (const TopicCommand& command : commands) {
+    if (command.act == baraka::commands::topics_from) {
+      command.app
+          ->add_option("FILE", options.file,
+                       "MCAP, rosbag2 (its folder, metadata.yaml or .db3), pcap or pcapng")
+          ->required();
+      continue;
+    }
     command.app
         ->add_option("--domain", options.domain,
                      "DDS domain; default: BARAKA_DOMAIN, else the one in which a run or daemon "
@@ -286,7 +297,8 @@ int command(int argc, char** argv) {
   }
   for (const TopicCommand& topic : topic_commands) {
     if (!*topic.app) continue;
-    asked.topic.domain = baraka::commands::topic_domain(asked.topic.domain);
+    if (topic.act != baraka::commands::topics_from)
+      asked.topic.domain = baraka::commands::topic_domain(asked.topic.domain);
     return topic.act(asked.topic);
   }
   return act(app, asked);

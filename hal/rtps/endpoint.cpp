@@ -25,6 +25,23 @@ std::string_view to_text(Octets value, Endianness endianness) {
   return {reinterpret_cast<const char*>(text.data()), text.size() - 1};
 }
 
+/// Duration_t (9.3.2): seconds and a fraction of 2^-32 s; infinite from 0x7fffffff s on.
+std::optional<std::int64_t> to_period(Octets value, Endianness endianness) {
+  Cursor cursor(value, endianness);
+  const std::uint32_t seconds = cursor.u32(), fraction = cursor.u32();
+  constexpr std::uint32_t kInfinite = 0x7fffffff;
+  if (cursor.is_short() || seconds >= kInfinite) return std::nullopt;
+  constexpr std::uint64_t kSecond = 1'000'000'000;
+  return static_cast<std::int64_t>(seconds * kSecond + (fraction * kSecond >> 32U));
+}
+
+std::optional<DiscoveredHistory> to_history(Octets value, Endianness endianness) {
+  Cursor cursor(value, endianness);
+  const std::uint32_t kind = cursor.u32(), depth = cursor.u32();
+  if (cursor.is_short()) return std::nullopt;
+  return DiscoveredHistory{kind == 1, depth};
+}
+
 void read_parameter(const Parameter& one, Endianness endianness, DiscoveredEndpoint& endpoint) {
   switch (one.id) {
     case parameter::kEndpointGuid:
@@ -42,6 +59,12 @@ void read_parameter(const Parameter& one, Endianness endianness, DiscoveredEndpo
       break;
     case parameter::kDurability:
       endpoint.durability = Cursor(one.value, endianness).u32();
+      break;
+    case parameter::kDeadline:
+      endpoint.deadline = to_period(one.value, endianness);
+      break;
+    case parameter::kHistory:
+      endpoint.history = to_history(one.value, endianness);
       break;
     case parameter::kPartition:
       endpoint.partitions = one.value;

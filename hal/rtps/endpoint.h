@@ -17,6 +17,12 @@ struct Guid {
   auto operator<=>(const Guid&) const = default;
 };
 
+/// HISTORY of a writer (OMG DDS 1.4, 2.2.3.18).
+struct DiscoveredHistory {
+  bool keeps_all = false;
+  std::uint32_t depth = 0;  ///< Samples of each instance; without meaning if it keeps all.
+};
+
 /// The description of a writer or reader in SEDP (9.6.2.2). Views into the payload.
 struct DiscoveredEndpoint {
   Guid guid;               ///< PID_ENDPOINT_GUID, or the key hash of a disposed endpoint.
@@ -25,7 +31,11 @@ struct DiscoveredEndpoint {
   /// 1 best effort, 2 reliable; 0: not given, the standard's default.
   std::uint32_t reliability = 0;
   std::uint32_t durability = 0;  ///< 0 volatile, 1 transient local, 2 transient, 3 persistent.
-  Octets partitions;             ///< The encoded sequence of strings; empty: not given.
+  /// Period within which a writer offers a new sample [ns]; nullopt: not given, or infinite.
+  std::optional<std::int64_t> deadline;
+  /// HISTORY, which few implementations announce; nullopt: not given.
+  std::optional<DiscoveredHistory> history;
+  Octets partitions;                         ///< The encoded sequence of strings; empty: not given.
   Endianness endianness = Endianness::kBig;  ///< Encoding of `partitions`.
 };
 

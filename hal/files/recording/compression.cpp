@@ -20,7 +20,7 @@ namespace hal::files::recording {
 namespace {
 
 constexpr std::uint32_t kZstdMagic = 0xfd2fb528;
-constexpr std::size_t kBlock = 1U << 20U;
+constexpr std::size_t kBlock = 1U << 17U;  // largest block of zstd
 /// Largest chunk of MCAP: writers make chunks of about a megabyte, or of one message.
 constexpr std::uint64_t kMostChunk = 1U << 30U;
 

@@ -4,16 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include "hal/files/recording/file_fault.h"
 #include "hal/files/recording/mapped_file.h"
 
 namespace hal::files::recording {
-
-/// What is wrong with a file, and at which byte.
-struct FileFault {
-  std::uint64_t at = 0;
-  std::string what;
-  bool is_cut = false;  ///< The file ends there.
-};
 
 /// Kinds of records (MCAP format specification, "Records"); those from 0x80 on are private, and
 /// readers skip those that they do not know.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "hal/files/recording/capture.h"
+#include "hal/files/recording/capture_file.h"
 #include "hal/files/recording/collector.h"
 #include "hal/files/recording/compression.h"
 #include "hal/files/recording/mapped_file.h"
@@ -39,8 +41,7 @@ bool begins_with(Octets octets, std::string_view magic) {
     what += ": it is empty";
   } else if (begins_with(octets, "#ROSBAG V")) {
     what =
-        "it is a bag of ROS 1, which is not read: convert it to MCAP or rosbag2, e.g. by "
-        "`mcap convert` or `rosbags-convert`";
+        "it is a bag of ROS 1, which is not read: convert it to rosbag2, e.g. by `rosbags-convert`";
   } else if (begins_with(octets, "\x1f\x8b")) {
     what += ": it is compressed by gzip; gunzip it first";
   } else {
@@ -54,6 +55,7 @@ void read_any(const fs::path& path, Collector& into) {
   const MappedFile file(path);
   const Octets octets = file.octets();
   if (is_mcap(octets)) return read_mcap(file, into);
+  if (is_capture(octets)) return read_capture(file, into);
   if (is_sqlite(octets) || is_zstd(octets)) {
     read_bag_file(path, into);
     if (!fs::exists(path.parent_path() / "metadata.yaml"))

@@ -1,12 +1,9 @@
-#include "sim/air/ip_packet.h"
+#include "hal/rtps/ip_packet.h"
 
 #include <algorithm>
 
-namespace sim::air {
+namespace hal::rtps {
 namespace {
-
-using hal::rtps::Cursor;
-using hal::rtps::Endianness;
 
 constexpr std::size_t kIpv6Header = 40;
 constexpr std::uint16_t kMoreFragments = 0x2000, kOffsetMask = 0x1fff;
@@ -87,10 +84,10 @@ std::optional<IpPacket> read_ipv6(Octets packet) {
 
 }  // namespace
 
-std::optional<IpPacket> read_ip(radio::Ethertype type, Octets packet) {
+std::optional<IpPacket> read_ip(std::uint16_t type, Octets packet) {
   if (type == kEthertypeIpv4) return read_ipv4(packet);
   if (type == kEthertypeIpv6) return read_ipv6(packet);
   return std::nullopt;
 }
 
-}  // namespace sim::air
+}  // namespace hal::rtps
