@@ -131,14 +131,15 @@ std::vector<TopicPart> read_topics(const Scenario& scenario, hal::AgentId agent,
   const agents::AgentConfig* const reader = agent_of(scenario, agent);
   if (reader == nullptr || !reader->network) return parts;
   std::set<std::string> names;
-  for (const Group& group : scenario.groups) {
-    for (const hal::AgentId writer : group.agents) {
-      if (writer == agent) continue;
-      for (TopicPart& part : written_topics(scenario, group, writer, recordings)) {
-        if (is_reader(*part.item, reader->name) && names.insert(part.name).second)
-          parts.push_back(std::move(part));
-      }
+  const auto take = [&](std::vector<TopicPart> written) {
+    for (TopicPart& part : written) {
+      if (is_reader(*part.item, reader->name) && names.insert(part.name).second)
+        parts.push_back(std::move(part));
     }
+  };
+  for (const Group& group : scenario.groups) {
+    for (const hal::AgentId writer : group.agents)
+      if (writer != agent) take(written_topics(scenario, group, writer, recordings));
   }
   return parts;
 }

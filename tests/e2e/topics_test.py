@@ -10,7 +10,7 @@ import subprocess
 import sys
 import unittest
 
-from baraka import ROOT, Case
+from baraka import ROOT, Case, Program
 from private_network import has_networks
 
 SKIPPED = 77
@@ -254,7 +254,8 @@ class Topics(Case):
         plan = {"domain": 0, "seed": 1, "begin_ns": 10 ** 9, "writes": [], "reads": [], "flows": [], "ports": []}
         flow = {"port": 9000, "to": ["10.77.0.2", "10.77.0.3"], "repeat_after_ns": 0,
                 "recorded": [[0, 100], [10 ** 6, 1472], [2 * 10 ** 6, 5000]]}
-        scenario = "version: 1\nradio: {profile: ieee80211g}\nrouting: none\nend: [{at: 4 s, result: done}]\nagents:\n"
+        scenario = ("version: 1\nradio: {profile: ieee80211g}\nrouting: none\nrecord: {air: air.pcapng}\n"
+                    "end: [{at: 4 s, result: done}]\nagents:\n")
         for i, more in enumerate(({"flows": [flow]}, {"ports": [9000]}, {"ports": [9000]})):
             journal = self.folder / f"journal{i}.json"
             file = self.folder / f"plan{i}.json"
@@ -273,6 +274,30 @@ class Topics(Case):
             self.assertTrue(10 ** 9 < got["first_ns"] - EPOCH < 2.1 * 10 ** 9, got)
             self.assertAlmostEqual(got["last_ns"] - got["first_ns"], 2 * 10 ** 6, delta=4 * 10 ** 6)
         self.assertGreater(self.query("SELECT SUM(bits) FROM air_accounts WHERE port = 9000")[0][0], 8 * 2 * 6572)
+        # The same from what was on the air there: to each of two, six datagrams to the port.
+        self.play(item(**{"from": self.out / "air.pcapng"}, name="none", flows="true", readers="[base, r1]"), robots=2)
+        for agent, others in ("base", ["10.77.0.2", "10.77.0.3"]), ("r1", ["10.77.0.2"]), ("r0", []):
+            received = [(one["port"], one["sender"], one["samples"]) for one in self.journal(agent)["datagrams_received"]]
+            self.assertEqual(received, [(9000, sender, 6) for sender in others], agent)
+        self.assertEqual(self.journal("r0")["datagrams_sent"][0]["samples"], 12)
+        self.assertEqual(self.journal("r1")["datagrams_sent"][0]["samples"], 6)
+
+    def test_what_a_run_recorded_is_played_again(self):
+        self.play(item(name="scan", size="[8 kB, 1 kB]", rate="10 Hz", jitter="9 ms", deadline="500 ms", reliability="best_effort"))
+        first, air = self.samples("scan"), self.out / "air.pcapng"
+        self.play(item(**{"from": air}, rename="{scan: again}"), end=8)
+        again = self.samples("again")
+        # The recording begins with the first sample whose writer is known.
+        self.assertGreater(len(again), len(first) - 5)
+        self.assertEqual([row[1] for row in again], [row[1] for row in first[-len(again):]])
+        gaps = [[b[0] - a[0] for a, b in zip(rows, rows[1:])] for rows in (first[-len(again):], again)]
+        for one, other in zip(*gaps):
+            self.assertAlmostEqual(one, other, delta=3 * 10 ** 6)  # a capture tells when frames left, not when they were written
+        printed = Program("baraka", "topic", "from", air).finish()
+        self.assertEqual(printed.status, 0, printed)
+        items = printed.out[printed.out.index("topics:\n") + len("topics:\n"):].splitlines()
+        self.play(*("    " + line for line in items))
+        self.assertEqual({row[1] for row in self.samples("r0/scan")}, {8000, 1000})
 
     def test_players_refuse_what_is_no_plan(self):
         (self.folder / "none.json").write_text("{}")

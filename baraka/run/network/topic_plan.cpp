@@ -1,5 +1,6 @@
 #include "baraka/run/network/topic_plan.h"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -64,24 +65,35 @@ std::vector<std::string> addresses(const sim::scenario::Scenario& scenario, cons
   return found;
 }
 
-void add_flows(programs::topics::Plan& plan, const sim::scenario::PlannedProgram& planned,
-               const sim::scenario::Scenario& scenario, sim::scenario::Recordings& recordings) {
-  std::set<std::uint16_t> ports;
-  for (const sim::scenario::Group& group : scenario.groups) {
-    const bool is_own = &group == planned.group;
-    for (const TopicItem& item : group.topics) {
-      if (!item.recorded.has_flows) continue;
-      const auto& recording = recordings.of(item.recorded.from);
-      const bool has_others = !is_own || group.agents.size() > 1;
-      for (const auto& flow : recording.flows) {
-        if (has_others && is_reader(item, plan.name)) ports.insert(flow.port);
-        if (!is_own) continue;
-        plan.flows.push_back({flow.port, addresses(scenario, item, planned.agent),
-                              played(flow.datagrams, item, recording)});
-      }
-    }
+/// Flows of the recordings that the agent's group plays.
+std::vector<programs::topics::SentFlow> sent_flows(const sim::scenario::PlannedProgram& planned,
+                                                   const sim::scenario::Scenario& scenario,
+                                                   sim::scenario::Recordings& recordings) {
+  std::vector<programs::topics::SentFlow> flows;
+  for (const TopicItem& item : planned.group->topics) {
+    if (!item.recorded.has_flows) continue;
+    const auto& recording = recordings.of(item.recorded.from);
+    const std::vector<std::string> to = addresses(scenario, item, planned.agent);
+    for (const auto& flow : recording.flows)
+      flows.push_back({flow.port, to, played(flow.datagrams, item, recording)});
   }
-  plan.ports.assign(ports.begin(), ports.end());
+  return flows;
+}
+
+/// Ports of the flows that others send to the agent.
+std::set<std::uint16_t> received_ports(const sim::scenario::PlannedProgram& planned,
+                                       const sim::scenario::Scenario& scenario,
+                                       sim::scenario::Recordings& recordings) {
+  std::set<std::uint16_t> ports;
+  const auto add = [&](const TopicItem& item) {
+    if (!item.recorded.has_flows || !is_reader(item, planned.agent_name)) return;
+    for (const auto& flow : recordings.of(item.recorded.from).flows) ports.insert(flow.port);
+  };
+  for (const sim::scenario::Group& group : scenario.groups) {
+    const bool has_others = &group != planned.group || group.agents.size() > 1;
+    if (has_others) std::ranges::for_each(group.topics, add);
+  }
+  return ports;
 }
 
 }  // namespace
@@ -103,7 +115,9 @@ programs::topics::Plan topic_plan(const sim::scenario::PlannedProgram& planned,
     plan.writes.push_back(written(part, recordings));
   for (const auto& part : read_topics(scenario, planned.agent, recordings))
     plan.reads.push_back({part.name, part.qos});
-  add_flows(plan, planned, scenario, recordings);
+  plan.flows = sent_flows(planned, scenario, recordings);
+  const std::set<std::uint16_t> ports = received_ports(planned, scenario, recordings);
+  plan.ports.assign(ports.begin(), ports.end());
   return plan;
 }
 
