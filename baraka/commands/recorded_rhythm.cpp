@@ -11,6 +11,8 @@ using Samples = std::vector<RecordedSample>;
 using Kind = RecordedRhythm::Kind;
 
 constexpr double kLeastRate = 1e-3;  // Hz, what the keys accept
+// Of a period: less than what the keys accept, as the numbers are rounded when they are printed.
+constexpr double kMostJitter = 0.499, kMostBurst = 0.999;
 constexpr double kPeriodicShare = 0.7, kShortGap = 0.1;
 
 double median_of(std::vector<double> values) {
@@ -58,7 +60,7 @@ bool find_bursts(const std::vector<double>& gaps, RecordedRhythm& rhythm) {
   const double samples = static_cast<double>(gaps.size() + 1) / (between + 1);
   if (rhythm.gap_sd <= rhythm.gap_mean || samples < 2 || between < 2) return false;
   const double rate = between / last_begin, spacing = median_of(within);
-  if (rate < kLeastRate || spacing * (std::round(samples) - 1) > 1 / rate) return false;
+  if (rate < kLeastRate || spacing * (std::round(samples) - 1) > kMostBurst / rate) return false;
   rhythm.kind = Kind::kBursts;
   rhythm.rate = rate;
   rhythm.samples = static_cast<std::uint32_t>(std::lround(samples));
@@ -99,7 +101,7 @@ RecordedRhythm rhythm_of(const Samples& samples) {
   rhythm.kind = kept.empty() ? Kind::kPoisson : Kind::kPeriodic;
   // Gaps differ by two deviations: their variance is 2 * jitter^2 / 3.
   if (!kept.empty())
-    rhythm.jitter = std::min(mean_and_sd(kept).sd * std::sqrt(1.5), 0.5 * all.mean);
+    rhythm.jitter = std::min(mean_and_sd(kept).sd * std::sqrt(1.5), kMostJitter * all.mean);
   return rhythm;
 }
 

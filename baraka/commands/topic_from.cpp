@@ -134,10 +134,10 @@ std::string size_text(const RecordedSizes& sizes) {
 std::string rhythm_text(const RecordedRhythm& rhythm) {
   switch (rhythm.kind) {
     case Kind::kPeriodic: {
-      const std::string rate = fmt::format("    rate: {:.5g} Hz\n", rhythm.rate);
+      std::string text = fmt::format("    rate: {:.5g} Hz\n", rhythm.rate);
       // Below a microsecond it is what nanoseconds were rounded to.
-      if (rhythm.jitter < 1e-6) return rate;
-      return rate + fmt::format("    jitter: {}\n", time_text(rhythm.jitter * 0.9999));
+      if (rhythm.jitter >= 1e-6) text += fmt::format("    jitter: {}\n", time_text(rhythm.jitter));
+      return text;
     }
     case Kind::kPoisson:
       return fmt::format("    poisson: {:.5g} Hz  # gaps: sd / mean = {:.2f}\n", rhythm.rate,

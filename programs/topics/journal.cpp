@@ -6,6 +6,26 @@
 
 namespace programs::topics {
 
+using nlohmann::json;
+
+namespace {
+
+/// A row of the journal with its counts.
+template <class Count>
+json with(json row, const Count& count) {
+  row["samples"] = count.samples;
+  if constexpr (requires { count.refused; }) {
+    row["refused"] = count.refused;
+    row["latest_ns"] = count.latest_ns;
+  } else {
+    row["first_ns"] = count.first_ns;
+    row["last_ns"] = count.last_ns;
+  }
+  return row;
+}
+
+}  // namespace
+
 Journal::Journal(std::string participant, const std::filesystem::path& file)
     : participant_(std::move(participant)), out_(file) {
   if (!out_) throw std::runtime_error(file.string() + ": cannot be written");
@@ -19,12 +39,21 @@ void Journal::wrote(const std::string& topic, bool was_accepted, std::int64_t la
   count.latest_ns = std::max(count.latest_ns, late_ns);
 }
 
-void Journal::received(const std::string& topic, const std::string& writer, std::int64_t at_ns) {
+void Journal::sent(std::uint16_t port, bool was_accepted) {
   const std::lock_guard lock(mutex_);
   if (is_closed_) return;
-  Received& count = received_[{topic, writer}];
-  if (count.samples++ == 0) count.first_ns = at_ns;
-  count.last_ns = at_ns;
+  Written& count = sent_[port];
+  ++(was_accepted ? count.samples : count.refused);
+}
+
+void Journal::received_datagram(std::uint16_t port, const std::string& sender, std::int64_t at_ns) {
+  const std::lock_guard lock(mutex_);
+  if (!is_closed_) datagrams_[{port, sender}].add(at_ns);
+}
+
+void Journal::received(const std::string& topic, const std::string& writer, std::int64_t at_ns) {
+  const std::lock_guard lock(mutex_);
+  if (!is_closed_) received_[{topic, writer}].add(at_ns);
 }
 
 void Journal::add_written(const std::string& topic) {
@@ -35,22 +64,20 @@ void Journal::add_written(const std::string& topic) {
 bool Journal::close() {
   const std::lock_guard lock(mutex_);
   is_closed_ = true;
-  nlohmann::json out = {{"participant", participant_},
-                        {"written", nlohmann::json::array()},
-                        {"received", nlohmann::json::array()}};
-  for (const auto& [topic, count] : written_) {
-    out["written"].push_back({{"topic", topic},
-                              {"samples", count.samples},
-                              {"refused", count.refused},
-                              {"latest_ns", count.latest_ns}});
-  }
-  for (const auto& [from, count] : received_) {
-    out["received"].push_back({{"topic", from.first},
-                               {"writer", from.second},
-                               {"samples", count.samples},
-                               {"first_ns", count.first_ns},
-                               {"last_ns", count.last_ns}});
-  }
+  json out = {{"participant", participant_},
+              {"written", json::array()},
+              {"received", json::array()},
+              {"datagrams_sent", json::array()},
+              {"datagrams_received", json::array()}};
+  for (const auto& [topic, count] : written_)
+    out["written"].push_back(with(json{{"topic", topic}}, count));
+  for (const auto& [from, count] : received_)
+    out["received"].push_back(with(json{{"topic", from.first}, {"writer", from.second}}, count));
+  for (const auto& [port, count] : sent_)
+    out["datagrams_sent"].push_back(with(json{{"port", port}}, count));
+  for (const auto& [from, count] : datagrams_)
+    out["datagrams_received"].push_back(
+        with(json{{"port", from.first}, {"sender", from.second}}, count));
   out_ << out.dump(1) << '\n' << std::flush;
   return out_.good();
 }

@@ -23,7 +23,11 @@ class Journal {
   /// @param writer  name of the writing participant. @param at_ns  CLOCK_REALTIME.
   void received(const std::string& topic, const std::string& writer, std::int64_t at_ns);
 
-  /// A topic that is written, or read, though there may never be a sample.
+  /// A datagram of a flow of UDP.
+  void sent(std::uint16_t port, bool was_accepted);
+  void received_datagram(std::uint16_t port, const std::string& sender, std::int64_t at_ns);
+
+  /// A topic that is written, though there may never be a sample.
   void add_written(const std::string& topic);
 
   /// Writes the file. Nothing counts afterwards. @return whether it could be written.
@@ -37,6 +41,10 @@ class Journal {
   struct Received {
     std::uint64_t samples = 0;
     std::int64_t first_ns = 0, last_ns = 0;
+    void add(std::int64_t at_ns) {
+      if (samples++ == 0) first_ns = at_ns;
+      last_ns = at_ns;
+    }
   };
 
   std::mutex mutex_;
@@ -45,6 +53,8 @@ class Journal {
   bool is_closed_ = false;
   std::map<std::string, Written> written_;
   std::map<std::pair<std::string, std::string>, Received> received_;
+  std::map<std::uint16_t, Written> sent_;
+  std::map<std::pair<std::uint16_t, std::string>, Received> datagrams_;
 };
 
 }  // namespace programs::topics

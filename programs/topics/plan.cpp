@@ -40,7 +40,24 @@ json json_of(const Recorded& recorded) {
   json samples = json::array();
   for (const Recorded::Sample& one : recorded.samples)
     samples.push_back({one.at.count(), one.bytes});
-  return {{"recorded", std::move(samples)}};
+  return {{"recorded", std::move(samples)}, {"repeat_after_ns", recorded.repeat_after.count()}};
+}
+
+Recorded recorded_of(const json& in) {
+  Recorded recorded{.samples = {},
+                    .repeat_after = hal::Duration(in.at("repeat_after_ns").get<std::int64_t>())};
+  for (const json& one : in.at("recorded")) {
+    recorded.samples.push_back(
+        {hal::Duration(one.at(0).get<std::int64_t>()), one.at(1).get<std::uint32_t>()});
+  }
+  return recorded;
+}
+
+json json_of(const SentFlow& flow) {
+  json out = json_of(flow.datagrams);
+  out["port"] = flow.port;
+  out["to"] = flow.to;
+  return out;
 }
 
 json rhythm_json(const WrittenTopic& topic) {
@@ -82,12 +99,7 @@ decltype(WrittenTopic::rhythm) rhythm_of(const json& in) {
     return Bursts{in.at("bursts").get<double>(), in.at("samples").get<std::uint32_t>(),
                   nanoseconds("spacing_ns")};
   }
-  Recorded recorded;
-  for (const json& one : in.at("recorded")) {
-    recorded.samples.push_back(
-        {hal::Duration(one.at(0).get<std::int64_t>()), one.at(1).get<std::uint32_t>()});
-  }
-  return recorded;
+  return recorded_of(in);
 }
 
 Plan plan_of(const json& in) {
@@ -104,6 +116,11 @@ Plan plan_of(const json& in) {
   }
   for (const json& one : in.at("reads"))
     plan.reads.push_back({one.at("topic").get<std::string>(), qos_of(one.at("qos"))});
+  for (const json& one : in.at("flows")) {
+    plan.flows.push_back({one.at("port").get<std::uint16_t>(),
+                          one.at("to").get<std::vector<std::string>>(), recorded_of(one)});
+  }
+  plan.ports = in.at("ports").get<std::vector<std::uint16_t>>();
   return plan;
 }
 
@@ -116,7 +133,9 @@ std::string json_text(const Plan& plan) {
               {"begin_ns", plan.begin.count()},
               {"journal", plan.journal.string()},
               {"writes", json::array()},
-              {"reads", json::array()}};
+              {"reads", json::array()},
+              {"flows", json::array()},
+              {"ports", plan.ports}};
   for (const WrittenTopic& topic : plan.writes) {
     out["writes"].push_back({{"topic", topic.name},
                              {"qos", json_of(topic.qos)},
@@ -125,6 +144,7 @@ std::string json_text(const Plan& plan) {
   }
   for (const ReadTopic& topic : plan.reads)
     out["reads"].push_back({{"topic", topic.name}, {"qos", json_of(topic.qos)}});
+  for (const SentFlow& flow : plan.flows) out["flows"].push_back(json_of(flow));
   return out.dump(1) + "\n";
 }
 

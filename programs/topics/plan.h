@@ -50,7 +50,8 @@ struct Recorded {
     hal::Duration at{};
     std::uint32_t bytes = 0;  ///< Serialised.
   };
-  std::vector<Sample> samples;  ///< In order of time.
+  std::vector<Sample> samples;   ///< In order of time.
+  hal::Duration repeat_after{};  ///< From one beginning to the next; 0: it is played once.
 };
 
 /// A topic that the participant writes.
@@ -67,6 +68,13 @@ struct ReadTopic {
   hal::TopicQos qos;
 };
 
+/// UDP datagrams that are not RTPS, each to all of the addresses.
+struct SentFlow {
+  std::uint16_t port = 0;
+  std::vector<std::string> to;  ///< IPv4: "10.77.0.3".
+  Recorded datagrams;           ///< Their `bytes` are of UDP's payload.
+};
+
 /// What one participant writes and reads.
 struct Plan {
   std::string name;  ///< Of the participant.
@@ -76,6 +84,8 @@ struct Plan {
   std::filesystem::path journal;  ///< File to be written at the end.
   std::vector<WrittenTopic> writes;
   std::vector<ReadTopic> reads;
+  std::vector<SentFlow> flows{};       ///< Sent beside DDS.
+  std::vector<std::uint16_t> ports{};  ///< Of UDP, on which others' flows are received.
 };
 
 /// The plan as JSON; parsed() gives the same plan.

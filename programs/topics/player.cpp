@@ -5,41 +5,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <cstdio>
 #include <exception>
-#include <mutex>
 #include <thread>
 #include <vector>
 
 #include "hal/types/overloaded.h"
+#include "programs/topics/ending.h"
+#include "programs/topics/flows.h"
 #include "programs/topics/schedule.h"
 
 namespace programs::topics {
 namespace {
-
-using Instant = std::chrono::steady_clock::time_point;
-
-/// Lets threads sleep until a time or until the program has to end.
-class Ending {
- public:
-  /// @return false: the program has to end.
-  bool sleep_until(Instant at) {
-    std::unique_lock lock(mutex_);
-    return !ends_.wait_until(lock, at, [this] { return is_over_; });
-  }
-
-  void end() {
-    const std::lock_guard lock(mutex_);
-    is_over_ = true;
-    ends_.notify_all();
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable ends_;
-  bool is_over_ = false;
-};
 
 std::uint32_t largest(const WrittenTopic& topic) {
   if (const auto* const recorded = std::get_if<Recorded>(&topic.rhythm)) {
@@ -85,6 +62,7 @@ int play_plan(const Plan& plan, const MakeParticipant& make, const sigset_t& end
                  {journal, ending});
     });
   }
+  const Flows flows(plan, start + plan.begin + recording_shift(plan), journal, ending);
   int signal = 0;
   sigwait(&end_signals, &signal);
   const bool is_written = journal.close();

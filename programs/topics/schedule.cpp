@@ -8,20 +8,31 @@
 namespace programs::topics {
 namespace {
 
-/// The stream of an agent's topic. A recording's topics keep their places in time to each other, so
-/// that they have their shift in common.
 std::string stream_of(const Plan& plan, const WrittenTopic& topic, const char* purpose) {
-  const bool is_recorded = std::holds_alternative<Recorded>(topic.rhythm);
-  return plan.name + "/topics/" + (is_recorded ? "" : topic.name) + "/" + purpose;
+  return plan.name + "/topics/" + topic.name + "/" + purpose;
 }
 
 }  // namespace
+
+hal::Duration recording_shift(const Plan& plan) {
+  return hal::from_seconds(hal::RandomStream(plan.seed, plan.name + "/topics/recording").uniform());
+}
+
+std::optional<DueSample> sample_of(const Recorded& recording, std::uint64_t index) {
+  const std::size_t count = recording.samples.size();
+  if (count == 0 || (index >= count && recording.repeat_after <= hal::Duration::zero()))
+    return std::nullopt;
+  const Recorded::Sample& sample = recording.samples[index % count];
+  const auto round = static_cast<std::int64_t>(index / count);
+  return DueSample{round * recording.repeat_after + sample.at, sample.bytes};
+}
 
 Schedule::Schedule(const Plan& plan, const WrittenTopic& topic)
     : topic_(topic),
       instants_(plan.seed, stream_of(plan, topic, "instants")),
       sizes_(plan.seed, stream_of(plan, topic, "sizes")),
-      phase_(instants_.uniform()) {}
+      phase_(instants_.uniform()),
+      shift_(recording_shift(plan)) {}
 
 hal::Duration Schedule::at(const Periodic& rhythm) {
   const double period = 1 / rhythm.rate;
@@ -52,10 +63,10 @@ std::uint32_t Schedule::size() {
 
 std::optional<DueSample> Schedule::next() {
   DueSample due;
-  if (const auto* const recorded = std::get_if<Recorded>(&topic_.rhythm)) {
-    if (index_ == recorded->samples.size()) return std::nullopt;
-    const Recorded::Sample& sample = recorded->samples[index_];
-    due = {hal::from_seconds(phase_) + sample.at, std::max(sample.bytes, kLeastSize)};
+  if (const auto* const recording = std::get_if<Recorded>(&topic_.rhythm)) {
+    const auto sample = sample_of(*recording, index_);
+    if (!sample) return std::nullopt;
+    due = {shift_ + sample->at, std::max(sample->bytes, kLeastSize)};
   } else {
     due.at = std::visit(hal::Overloaded{[](const Recorded&) { return hal::Duration{}; },
                                         [this](const auto& rhythm) { return at(rhythm); }},

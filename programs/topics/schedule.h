@@ -15,6 +15,13 @@ struct DueSample {
   std::uint32_t bytes = 0;  ///< Serialised.
 };
 
+/// By how much an agent's recordings begin later, from [0 s, 1 s): drawn once for all of its topics
+/// and flows, which keep their places in time to each other.
+hal::Duration recording_shift(const Plan& plan);
+
+/// Sample `index`, from 0 on, of a recording that is played from time 0 on; none: it is over.
+std::optional<DueSample> sample_of(const Recorded& recording, std::uint64_t index);
+
 /// When a topic's samples are due, and their sizes. It depends only on the plan's seed and name and
 /// on the topic: draws of one topic do not change those of another.
 class Schedule {
@@ -33,7 +40,8 @@ class Schedule {
 
   const WrittenTopic& topic_;
   hal::RandomStream instants_, sizes_;
-  double phase_ = 0;         ///< Share of a period; of a recording, its shift in seconds.
+  double phase_ = 0;         ///< Share of a period.
+  hal::Duration shift_{};    ///< Of a recording.
   double elapsed_ = 0;       ///< s, of Poisson.
   std::uint64_t index_ = 0;  ///< Of the next sample.
   hal::Duration last_{};

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,14 +41,29 @@ struct SampleBursts {
 };
 using SampleRhythm = std::variant<PeriodicSamples, PoissonSamples, SampleBursts>;
 
-/// One item of `topics:`: a topic that each agent of a group writes.
+/// Topics of a recording: their names, sizes and instants, and QoS unless stated here.
+struct RecordedTraffic {
+  std::filesystem::path from;                 ///< Absolute; empty: no recording.
+  std::map<std::string, std::string> rename;  ///< New names, which may contain kAgentWord.
+  bool repeats = false;                       ///< From the beginning, when it is over.
+  bool has_flows = false;                     ///< Also flows of UDP that are not RTPS.
+  std::optional<hal::TopicQos::Reliability> reliability;
+  std::optional<hal::TopicQos::Durability> durability;
+  std::optional<std::optional<std::uint32_t>> depth;
+  std::optional<hal::Duration> deadline;
+};
+
+/// One item of `topics:`, which each agent of a group writes: a topic, or those of a recording.
 struct TopicItem {
-  std::string name;  ///< On DDS; may contain kAgentWord.
-  SampleSizes sizes;
-  SampleRhythm rhythm;
-  hal::TopicQos qos;
-  std::vector<std::string> readers;  ///< Names or patterns of agents; never the writer itself.
-  std::string place{};               ///< "file:line:column".
+  std::string name;  ///< On DDS; may contain kAgentWord. Of a recording: pattern of its topics.
+  SampleSizes sizes{};
+  SampleRhythm rhythm{};
+  hal::TopicQos qos{};
+  RecordedTraffic recorded{};
+  std::vector<std::string> readers{};  ///< Names or patterns of agents; never the writer itself.
+  std::string place{};                 ///< "file:line:column".
+
+  bool is_recorded() const { return !recorded.from.empty(); }
 };
 
 enum class DdsVendor : std::uint8_t { kCycloneDds, kFastDds };

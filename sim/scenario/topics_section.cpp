@@ -30,7 +30,28 @@ constexpr std::array kDurabilities = {
 constexpr std::int64_t kLastDomain = 232;
 constexpr std::uint32_t kMostHistory = 1'000'000;
 constexpr const char* kAll = "all";
+constexpr Range kDeadlines{1e-6, 1e6};                                // s
 constexpr Range kTimeOfRun{0, hal::files::config::kLongestDuration};  // s
+
+const Key kName{
+    "name",
+    "Name on DDS; {agent} stands for the writing agent's name. ROS 2's /scan is rt/scan "
+    "there. With `from`: pattern of the names in the recording, by default all.",
+    "rt/{agent}/scan"};
+const Key kReliability{"reliability",
+                       "RELIABILITY of writers and readers. With `from`: in place of the recorded "
+                       "one, as the other policies.",
+                       "best_effort", "reliable"};
+const Key kDurability{"durability",
+                      "DURABILITY: with transient_local, readers that come late get the samples in "
+                      "the writer's history.",
+                      "transient_local", "volatile"};
+const Key kHistory{"history",
+                   "HISTORY of writers and readers: the number of samples that are kept "
+                   "(KEEP_LAST), or `all` (KEEP_ALL), with which writes may block and be refused.",
+                   "5", "10"};
+const Key kDeadline{"deadline", "DEADLINE that writers offer and readers request.", "200 ms",
+                    "none"};
 
 void dds_keys(Fields& io, DdsKeys& c) {
   io.choice({"vendor", "DDS implementation of the agents' participants.", "fastdds"}, kVendors,
@@ -39,7 +60,7 @@ void dds_keys(Fields& io, DdsKeys& c) {
            {"profile",
             "The vendor's configuration, an XML file: of Cyclone DDS what CYCLONEDDS_URI names, of "
             "Fast DDS the default profiles. Relative to this file's folder, or to the shared one.",
-            "../dds/cyclone_spdp_500ms.xml", "none"},
+            "dds/cyclone_spdp_500ms.xml", "none"},
            c.profile);
   io.count({"domain", "DDS domain.", "0"}, 0, kLastDomain, c.domain);
   io.duration({"start", "Simulated time at which the participants start.", "200 ms"}, kTimeOfRun,
@@ -70,35 +91,79 @@ void take_history(Fields& io, const std::string& text, std::optional<std::uint32
 }
 
 void qos_keys(Fields& io, hal::TopicQos& c) {
-  io.choice({"reliability", "RELIABILITY of writers and readers.", "best_effort"}, kReliabilities,
-            c.reliability);
-  io.spelled({"history",
-              "HISTORY of writers and readers: the number of samples that are kept (KEEP_LAST), or "
-              "`all` (KEEP_ALL), with which writes may block and be refused.",
-              "5"},
-             c.depth, history_text,
+  io.choice(kReliability, kReliabilities, c.reliability);
+  io.spelled(kHistory, c.depth, history_text,
              [&](const std::string& text, std::optional<std::uint32_t>& depth) {
                take_history(io, text, depth);
              });
-  io.choice({"durability",
-             "DURABILITY: with transient_local, readers that come late get the samples in the "
-             "writer's history.",
-             "transient_local"},
-            kDurabilities, c.durability);
-  io.optional_duration({"deadline", "DEADLINE that writers offer and readers request.", "200 ms"},
-                       1e-9, c.deadline);
+  io.choice(kDurability, kDurabilities, c.durability);
+  io.given(kDeadline, kDeadlines, c.deadline);
+}
+
+void stated_keys(Fields& io, TopicItem& c) {
+  io.needed_text(kName, c.name);
+  size_key(io, c.sizes);
+  rhythm_keys(io, c.rhythm);
+  qos_keys(io, c.qos);
+}
+
+void rename_key(Fields& io, RecordedTraffic& c) {
+  const Key key{"rename",
+                "With `from`: names on DDS by recorded names. The others get the agent's name as "
+                "namespace: rt/scan becomes rt/{agent}/scan.",
+                "{rt/tf: rt/tf}"};
+  io.own(
+      key, {.kind = Form::Kind::kMapping},
+      [&](Mapping& in) {
+        Mapping names = in.mapping(key);
+        for (const hal::files::config::PlainValue& given : names.plain_values()) {
+          if (given.is_list) names.mistake(given.key, "a topic has one new name, not a list");
+          c.rename[given.key] = given.text;
+        }
+      },
+      [&](Writer& out) {
+        out.open(key.name);
+        for (const auto& [name, to] : c.rename) out.text(name, to);
+        out.close();
+      });
+}
+
+void recorded_qos_keys(Fields& io, RecordedTraffic& c) {
+  io.given_choice(kReliability, kReliabilities, c.reliability);
+  io.given_choice(kDurability, kDurabilities, c.durability);
+  std::string history = c.depth ? history_text(*c.depth) : "";
+  if (io.given_text(kHistory, history)) take_history(io, history, c.depth.emplace());
+  io.given(kDeadline, kDeadlines, c.deadline);
+}
+
+void recorded_keys(Fields& io, TopicItem& c) {
+  file_key(
+      io,
+      {"from",
+       "Recording whose topics are written, with their sizes, instants and QoS: MCAP, rosbag2, "
+       "pcap or pcapng. Topics without QoS are reliable, volatile, keep last 10. An agent's "
+       "topics begin up to 1 s after the others', drawn, and keep their time to each other.",
+       "lab.mcap"},
+      c.recorded.from);
+  if (io.reading() != nullptr) c.name = "*";
+  io.text(kName, c.name);
+  rename_key(io, c.recorded);
+  io.flag({"repeat", "With `from`: whether it begins again when it is over.", "true"},
+          c.recorded.repeats);
+  io.flag({"flows",
+           "With `from`: whether the recording's UDP datagrams that are not RTPS are sent, too, to "
+           "the same ports of the readers.",
+           "true"},
+          c.recorded.has_flows);
+  recorded_qos_keys(io, c.recorded);
 }
 
 void topic_keys(Fields& io, TopicItem& c) {
   if (io.reading() != nullptr) c.place = io.reading()->place();
-  io.needed_text({"name",
-                  "Name on DDS; {agent} stands for the writing agent's name. ROS 2's /scan is "
-                  "rt/scan there.",
-                  "rt/{agent}/scan"},
-                 c.name);
-  size_key(io, c.sizes);
-  rhythm_keys(io, c.rhythm);
-  qos_keys(io, c.qos);
+  const auto recorded = [&](Fields& one) { recorded_keys(one, c); };
+  const auto stated = [&](Fields& one) { stated_keys(one, c); };
+  if (!io.first_of({{"from", c.is_recorded(), recorded}, {"name", !c.is_recorded(), stated}}))
+    stated(io);
   io.texts({"readers",
             "Names or patterns of the agents that read the topic; the writer itself never does.",
             "[NAME0]", hal::files::config::kMustBeGiven},
@@ -125,6 +190,7 @@ void check_names(std::vector<Mapping>& items, const Group& group) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string& name = group.topics[i].name;
+    if (group.topics[i].is_recorded()) continue;
     if (!names.insert(name).second)
       items[i].mistake("name", fmt::format("the group writes '{}' already", name));
   }
@@ -140,6 +206,7 @@ Program player_of(const Group& group) {
       .log = fmt::format("{}.topics.log", kAgentWord),
       .on_exit = OnExit::kFail,
       .is_shipped = true};
+  if (!group.places.empty()) player.place = group.places.front();
   if (!group.topics.empty()) player.place = group.topics.front().place;
   if (group.dds.profile.empty()) return player;
   const std::string file = group.dds.profile.string();

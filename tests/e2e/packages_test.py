@@ -56,7 +56,8 @@ class Packages(Case):
 
     def test_hold_what_a_user_needs_each_in_its_place(self):
         for package, pattern in (
-                ("baraka", "bin/baraka"), ("baraka", "bin/help_robot"), ("baraka", "lib/baraka/help_robot.so"),
+                ("baraka", "bin/baraka"), ("baraka", "bin/help_robot"),
+                ("baraka", "bin/baraka-topics-cyclonedds"), ("baraka", "bin/baraka-topics-fastdds"), ("baraka", "lib/baraka/help_robot.so"),
                 ("baraka", "lib/baraka/baraka-holder"), ("baraka", "lib/baraka/libbaraka_dilate.so"),
                 ("baraka", "share/baraka/scenarios/case_study.yaml"), ("baraka", "share/baraka/robots/mote.yaml"),
                 ("baraka", "share/baraka/radios/ieee80211b.yaml"), ("baraka", "share/baraka/hardware/robotino.yaml"),
@@ -88,7 +89,7 @@ class Packages(Case):
         self.assertEqual(packed, built)
 
     def test_depend_on_the_libraries_their_programs_were_linked_with(self):
-        for package, library in (("baraka", "libode"), ("baraka", "libfcl"), ("baraka", "libfastrtps"),
+        for package, library in (("baraka", "libode"), ("baraka", "libfcl"), ("baraka", "libfastrtps"), ("baraka", "libddsc"),
                                  ("baraka-agentd", "libfastrtps"), ("baraka-agentd", "libcpp-httplib")):
             self.assertRegex(self.field(package, "Depends"), rf"\b{library}\S* \(>= [0-9]")
         self.assertNotRegex(self.field("baraka-agentd", "Depends"), "libode|libfcl")

@@ -12,6 +12,7 @@
 #include "programs/netns/holder.h"
 #include "programs/netns/loadable.h"
 #include "sim/scenario/plan.h"
+#include "sim/scenario/topic_parts.h"
 
 namespace baraka::run::check {
 namespace {
@@ -38,7 +39,7 @@ std::filesystem::path file_of(const sim::scenario::PlannedProgram& planned,
 
 std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenario,
                                            const programs::netns::ProgramTime& time) {
-  std::vector<std::string> mistakes;
+  std::vector<std::string> mistakes = sim::scenario::recording_mistakes(scenario);
   std::set<std::string> said;
   for (const sim::scenario::PlannedProgram& planned : sim::scenario::plan_programs(scenario)) {
     const sim::scenario::Program& program = *planned.program;

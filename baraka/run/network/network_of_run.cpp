@@ -246,7 +246,7 @@ std::uint32_t NetworkOfRun::start(const ProgramsOfRun::Start& start) {
   if (planned.program->is_shipped) {
     command.arguments.front() =
         programs::netns::installed_file({}, command.arguments.front().c_str()).string();
-    write_topic_plan(planned, scenario_, start.folder);
+    write_topic_plan(planned, scenario_, start.folder, recordings_);
   }
   command.log = std::filesystem::absolute(start.folder / planned.log);
   return launch(planned.agent, std::move(command));

@@ -18,6 +18,7 @@
 #include "results/record/interface_counts.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/scenario.h"
+#include "sim/scenario/topic_parts.h"
 
 namespace baraka::run::network {
 
@@ -113,9 +114,10 @@ class NetworkOfRun final : private pace::BackgroundWork {
 
   const sim::scenario::Scenario& scenario_;
   std::function<std::filesystem::path()> results_;
-  std::vector<hal::AgentId> agents_;    ///< In the order of the namespaces.
-  std::vector<std::string> names_;      ///< Of the agents.
-  std::optional<Processor> processor_;  ///< In lock-step.
+  sim::scenario::Recordings recordings_;  ///< Of `topics:`.
+  std::vector<hal::AgentId> agents_;      ///< In the order of the namespaces.
+  std::vector<std::string> names_;        ///< Of the agents.
+  std::optional<Processor> processor_;    ///< In lock-step.
   std::optional<Processor::Use> use_of_processor_;
   std::optional<programs::netns::Namespaces> namespaces_;
   ProgramsOfRun programs_;

@@ -25,38 +25,51 @@ struct CaptureInterface {
   std::int64_t offset = 0;      ///< s
 };
 
-/// @return nanoseconds; nullopt: beyond the year 2262.
-std::optional<std::int64_t> to_nanoseconds(std::uint64_t units, const CaptureInterface& interface) {
-  constexpr std::uint64_t kNano = 1'000'000'000;
-  constexpr std::uint8_t kBinary = 0x80;
-  std::uint64_t seconds = 0, rest = 0;
-  if ((interface.resolution & kBinary) != 0) {
-    unsigned bits = interface.resolution & 0x7fU;
-    if (bits > 63) return std::nullopt;
-    seconds = units >> bits;
-    rest = units & ((std::uint64_t{1} << bits) - 1);
-    constexpr unsigned kMostBits = 30;  // so that the product fits
-    if (bits > kMostBits) {
-      rest >>= bits - kMostBits;
-      bits = kMostBits;
-    }
-    rest = rest * kNano >> bits;
-  } else {
-    std::uint64_t per_second = 1, unit = kNano;
-    for (int i = 0; i < interface.resolution; ++i) {
-      if (per_second > std::numeric_limits<std::uint64_t>::max() / 10) return std::nullopt;
-      per_second *= 10;
-      unit /= 10;
-    }
-    seconds = units / per_second;
-    rest = unit > 0 ? units % per_second * unit : units % per_second / (per_second / kNano);
+constexpr std::uint64_t kNano = 1'000'000'000;
+
+/// A time since 1970 or since an offset.
+struct SecondsAndRest {
+  std::uint64_t seconds = 0;
+  std::uint64_t rest = 0;  ///< ns
+};
+
+/// @param bits  a unit is 2^-bits s.
+std::optional<SecondsAndRest> of_binary(std::uint64_t units, unsigned bits) {
+  if (bits > 63) return std::nullopt;
+  const std::uint64_t seconds = units >> bits;
+  std::uint64_t rest = units & ((std::uint64_t{1} << bits) - 1);
+  constexpr unsigned kMostBits = 30;  // so that the product fits
+  if (bits > kMostBits) {
+    rest >>= bits - kMostBits;
+    bits = kMostBits;
   }
-  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / kNano - 1;
-  if (seconds > static_cast<std::uint64_t>(kMost)) return std::nullopt;
-  const std::int64_t whole = static_cast<std::int64_t>(seconds);
-  if (interface.offset > kMost - whole || interface.offset < -kMost) return std::nullopt;
-  return (whole + interface.offset) * static_cast<std::int64_t>(kNano) +
-         static_cast<std::int64_t>(rest);
+  return SecondsAndRest{seconds, rest * kNano >> bits};
+}
+
+/// @param digits  a unit is 10^-digits s.
+std::optional<SecondsAndRest> of_decimal(std::uint64_t units, unsigned digits) {
+  constexpr unsigned kMostDigits = 19;
+  if (digits > kMostDigits) return std::nullopt;
+  std::uint64_t per_second = 1;
+  for (unsigned i = 0; i < digits; ++i) per_second *= 10;
+  const std::uint64_t rest = units % per_second;
+  return SecondsAndRest{units / per_second, per_second <= kNano ? rest * (kNano / per_second)
+                                                                : rest / (per_second / kNano)};
+}
+
+/// @return nanoseconds since 1970; nullopt: before, or after the year 2261.
+std::optional<std::int64_t> to_nanoseconds(std::uint64_t units, const CaptureInterface& interface) {
+  constexpr std::uint8_t kBinary = 0x80;
+  const unsigned exponent = interface.resolution & 0x7fU;
+  const auto time = (interface.resolution & kBinary) != 0 ? of_binary(units, exponent)
+                                                          : of_decimal(units, exponent);
+  constexpr auto kMost =
+      static_cast<std::int64_t>(std::numeric_limits<std::int64_t>::max() / kNano - 1);
+  if (!time || time->seconds > static_cast<std::uint64_t>(kMost)) return std::nullopt;
+  const auto seconds = static_cast<std::int64_t>(time->seconds);
+  if (interface.offset > kMost - seconds || interface.offset < -seconds) return std::nullopt;
+  return (seconds + interface.offset) * static_cast<std::int64_t>(kNano) +
+         static_cast<std::int64_t>(time->rest);
 }
 
 class PcapngReader {
@@ -144,7 +157,7 @@ void PcapngReader::read_packet(std::uint32_t type, Octets body) {
   if (interface >= interfaces_.size())
     refuse(fmt::format("a packet is of interface {}, which is not described", interface));
   const auto at = to_nanoseconds(units, interfaces_[interface]);
-  if (!at) refuse("the time of a packet is beyond the year 2262");
+  if (!at) refuse("the time of a packet is before 1970 or after 2261");
   on_packet_({*at, interfaces_[interface].link_type, octets, original > captured});
 }
 

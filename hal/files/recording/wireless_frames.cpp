@@ -69,8 +69,7 @@ void WirelessFrames::read_frame(std::int64_t at, Octets frame, std::size_t paddi
                                 const OnNetworkPacket& on) {
   Cursor cursor(frame, Endianness::kLittle);
   const unsigned control = cursor.u16();
-  const bool is_data = (control & kTypeMask) == kDataType && (control & kNoData) == 0;
-  if (!is_data || frame.size() < 24) return;
+  if ((control & (kTypeMask | kNoData)) != kDataType || frame.size() < 24) return;
   cursor.take(8);  // duration, address 1
   MacAddress transmitter;
   std::ranges::copy(cursor.take(transmitter.size()), transmitter.begin());
@@ -86,14 +85,17 @@ void WirelessFrames::read_frame(std::int64_t at, Octets frame, std::size_t paddi
   const std::uint8_t tid = has_qos ? qos & 0xfU : kNoTid;
   if (is_repetition(at, {transmitter, tid, sequence}, (control & kRetry) != 0)) return;
   if (is_relayed(frame, ds)) return;
+  const bool is_fragment = (control & kMoreFragments) != 0 || (sequence & 0xfU) != 0;
+  const Octets body = cursor.take(cursor.left());
+  constexpr unsigned kAmsduPresent = 0x80;
   if ((control & kProtected) != 0) {
     ++encrypted_;
-  } else if ((control & kMoreFragments) != 0 || (sequence & 0xfU) != 0) {
+  } else if (is_fragment) {
     ++fragments_;
-  } else if ((qos & 0x80U) != 0) {
-    read_amsdu(cursor.take(cursor.left()), on);
+  } else if ((qos & kAmsduPresent) != 0) {
+    read_amsdu(body, on);
   } else {
-    read_snap(cursor.take(cursor.left()), on);
+    read_snap(body, on);
   }
 }
 
