@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "hal/files/recording/rtps_traffic.h"
 #include "tests/unit/hal/files/recording/captures.h"
 
 namespace hal::files::recording {
@@ -210,6 +211,54 @@ TEST(Capture, SaysWhatItsSnapLengthCutOff) {
   }
   EXPECT_THAT(read(file).notes,
               Contains(testing::ContainsRegex("[0-9]+ packets were cut by the snap")));
+}
+
+TEST(Capture, CountsWhatItCannotSee) {
+  const auto frames = frames_of(real_capture("cyclone_v4.pcap"));
+  std::uint16_t control = 0x4108, sequence = 0;
+  const CaptureForm form{.link_type = 127, .wrapped = [&](const std::string& e) {
+                           return wireless(e, control, sequence++);
+                         }};
+  const std::string count = std::to_string(frames.size());
+  EXPECT_THAT(read(pcap_of(frames, form)).notes,
+              testing::ElementsAre(count + " frames are encrypted; what they carry is not seen"));
+  control = 0x0508;
+  EXPECT_THAT(read(pcap_of(frames, form)).notes,
+              testing::ElementsAre(count + " frames are fragments of MSDUs and are left out"));
+}
+
+TEST(Capture, CountsDatagramsThatLackFragments) {
+  auto frames = frames_of(real_capture("cyclone_v4.pcap"));
+  // The last fragments: an offset, and none follow (RFC 791, 3.1).
+  const auto is_last = [](const EthernetFrame& one) {
+    const auto octet = [&one](std::size_t at) {
+      return static_cast<unsigned char>(one.octets[at]);
+    };
+    const int flags = octet(20) << 8 | octet(21);
+    return octet(12) == 8 && octet(13) == 0 && (flags & 0x2000) == 0 && (flags & 0x1fff) != 0;
+  };
+  const std::size_t before = frames.size();
+  std::erase_if(frames, is_last);
+  const std::size_t erased = before - frames.size();
+  ASSERT_GT(erased, 0U);
+  EXPECT_THAT(read(pcap_of(frames, {})).notes,
+              Contains(std::to_string(erased) + " IP datagrams lack fragments and are left out"));
+}
+
+TEST(Capture, CountsPacketsWithoutATime) {
+  const auto frames = frames_of(real_capture("fastdds_v6.pcap"));
+  std::string file = pcapng_of(frames, {}, 9);
+  file += number(3, 4, false) + number(20, 4, false) + number(4, 4, false) + "abcd" +
+          number(20, 4, false);
+  EXPECT_THAT(read(file).notes, Contains("1 packets have no time stamp and are left out"));
+}
+
+TEST(Capture, GivesTypesTheirNamesInRos2) {
+  EXPECT_EQ(ros_type("sensor_msgs::msg::dds_::LaserScan_"), "sensor_msgs/msg/LaserScan");
+  EXPECT_EQ(ros_type("nav2_msgs::action::dds_::NavigateToPose_SendGoal_Request_"),
+            "nav2_msgs/action/NavigateToPose_SendGoal_Request");
+  EXPECT_EQ(ros_type("KeyedSeq"), "KeyedSeq");
+  EXPECT_EQ(ros_type("a::dds_::B"), "a::dds_::B");
 }
 
 TEST(Capture, RefusesAFileThatIsCutOffWithinAPacket) {

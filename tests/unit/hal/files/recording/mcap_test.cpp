@@ -62,6 +62,37 @@ TEST(Mcap, NamesACompressionThatItDoesNotKnow) {
                         "zstd, lz4 and none are known"));
 }
 
+/// no_summary.mcap without the CRC of its data section, so that records can be put in.
+std::string without_crc() {
+  std::string file = content_of(bag("no_summary.mcap"));
+  constexpr std::size_t kFooterAndMagic = 9 + 20 + 8, kCrc = 4;
+  return file.replace(file.size() - kFooterAndMagic - kCrc, kCrc, kCrc, '\0');
+}
+constexpr std::size_t kAfterHeader = 39;
+
+TEST(Mcap, SkipsRecordsThatItDoesNotKnow) {
+  const Scratch scratch;
+  const std::string unknown("\x80\x03\0\0\0\0\0\0\0abc", 12), later("\x10\0\0\0\0\0\0\0\0", 9);
+  const std::string file = without_crc().insert(kAfterHeader, unknown + later);
+  EXPECT_EQ(read_recording(scratch.write("more.mcap", file)).topics.size(), 3U);
+}
+
+TEST(Mcap, RefusesRecordsThatContradictEachOther) {
+  const Scratch scratch;
+  const auto said = [&scratch](const std::string& record) {
+    return refusal(scratch.write("bad.mcap", without_crc().insert(kAfterHeader, record)));
+  };
+  EXPECT_THAT(said(std::string("\x05\x16\0\0\0\0\0\0\0", 9) + std::string(22, '\0')),
+              HasSubstr("bad.mcap: byte 39: Message of 22 bytes: its channel is not defined"));
+  EXPECT_THAT(said(std::string("\x05\x01\0\0\0\0\0\0\0a", 10)),
+              HasSubstr("byte 39: Message of 1 bytes: it is too short for its fields"));
+  EXPECT_THAT(said(std::string("\x04\x12\0\0\0\0\0\0\0\x09\0\x07\0\x02\0\0\0/a", 19) +
+                   std::string(8, '\0')),
+              HasSubstr("byte 39: Channel of 18 bytes: /a is of schema 7, which is not defined"));
+  EXPECT_THAT(said(std::string("\x02\x14\0\0\0\0\0\0\0", 9) + std::string(20, '\0')),
+              HasSubstr("byte 39: the Footer comes before a DataEnd"));
+}
+
 TEST(Mcap, RefusesAFileThatIsCutOffAnywhere) {
   const Scratch scratch;
   for (const char* name : {"zstd.mcap", "no_summary.mcap"}) {
