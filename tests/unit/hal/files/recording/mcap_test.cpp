@@ -14,6 +14,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using Qos = TopicQos;
 
+constexpr const char* kSmall = "small.mcap";
 constexpr const char* kSound[] = {"zstd.mcap", "lz4.mcap", "chunks.mcap", "plain.mcap",
                                   "no_summary.mcap"};
 
@@ -95,10 +96,11 @@ TEST(Mcap, RefusesRecordsThatContradictEachOther) {
 
 TEST(Mcap, RefusesAFileThatIsCutOffAnywhere) {
   const Scratch scratch;
-  for (const char* name : {"zstd.mcap", "no_summary.mcap"}) {
+  for (const char* name : {kSmall, "plain.mcap"}) {
     const std::string whole = content_of(bag(name));
     const std::filesystem::path cut = scratch.write("cut.mcap", whole);
-    for (std::size_t size = whole.size() - 1; size + 1 > 0; --size) {
+    const std::size_t step = name == kSmall ? 1 : 31;
+    for (std::size_t size = whole.size() - 1; size < whole.size(); size -= step) {
       std::filesystem::resize_file(cut, size);
       ASSERT_THAT(refusal(cut), HasSubstr("cut.mcap: byte ")) << name << ", " << size << " bytes";
     }
@@ -118,14 +120,14 @@ TEST(Mcap, SaysHowManyMessagesAreWholeWhereItIsCutOff) {
 
 TEST(Mcap, NoticesEachChangedByte) {
   const Scratch scratch;
-  for (const char* name : {"zstd.mcap", "lz4.mcap"}) {
+  for (const char* name : {kSmall, "lz4.mcap"}) {
     const std::string whole = content_of(bag(name));
     const std::filesystem::path file = scratch.write("changed.mcap", whole);
     std::fstream changed(file, std::ios::in | std::ios::out | std::ios::binary);
     const auto put = [&changed](std::size_t at, int byte) {
       changed.seekp(static_cast<std::streamoff>(at)).put(static_cast<char>(byte)).flush();
     };
-    for (std::size_t at = 0; at < whole.size(); ++at) {
+    for (std::size_t at = 0; at < whole.size(); at += name == kSmall ? 1 : 31) {
       put(at, whole[at] ^ (at % 2 == 0 ? 0x01 : 0xff));
       ASSERT_THAT(refusal(file), HasSubstr("changed.mcap: byte ")) << name << ", byte " << at;
       put(at, whole[at]);
