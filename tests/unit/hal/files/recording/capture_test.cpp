@@ -188,6 +188,29 @@ TEST(Capture, PutsFragmentsTogetherInAnyOrder) {
   EXPECT_EQ(reversed.flows.front().datagrams.size(), ordered.flows.front().datagrams.size());
 }
 
+TEST(Capture, SaysAtWhichAddressATopicIsWritten) {
+  // The same programs once more, at another address and with other GUIDs: from each participant's
+  // prefix only the first octet is another one.
+  const auto frames = frames_of(real_capture("fastdds_v6.pcap"));
+  constexpr std::size_t kLastOfSource = 14 + 23;
+  std::vector<EthernetFrame> both = frames;
+  for (EthernetFrame other : frames) {
+    other.octets[kLastOfSource] = '\x99';
+    const std::size_t rtps = other.octets.find("RTPS");
+    const std::string prefix = rtps == std::string::npos ? "" : other.octets.substr(rtps + 8, 12);
+    for (std::size_t at = prefix.empty() ? prefix.npos : other.octets.find(prefix);
+         at != std::string::npos; at = other.octets.find(prefix, at))
+      other.octets[at] = '\x09';
+    both.push_back(other);
+  }
+  const std::size_t before = topic_of(read(pcap_of(frames, {})), "camera").samples.size();
+  const Recording recording = read(pcap_of(both, {}));
+  EXPECT_GT(topic_of(recording, "camera").samples.size(), before);
+  EXPECT_THAT(recording.notes, Contains(testing::ContainsRegex("^written at fe80:.*99: .*camera")));
+  for (const std::string& note : read(pcap_of(frames, {})).notes)
+    EXPECT_THAT(note, testing::Not(HasSubstr("written at"))) << "from one address only";
+}
+
 TEST(Capture, NamesWritersThatItDoesNotKnow) {
   // The capture begins after discovery.
   auto frames = frames_of(real_capture("cyclone_v4.pcap"));
