@@ -40,6 +40,11 @@ std::string time_text(double seconds) {
   return seconds < 1e-9 ? "0 s" : fmt::format("{:.4g} us", seconds * 1e6);
 }
 
+/// @param digits  significant ones, without an exponent.
+std::string rate_text(double rate, int digits) {
+  return rate >= 1000 ? fmt::format("{:.0f} Hz", rate) : fmt::format("{:.{}g} Hz", rate, digits);
+}
+
 std::string reliability_text(const TopicQos& qos) {
   return qos.reliability == TopicQos::Reliability::kReliable ? "reliable" : "best_effort";
 }
@@ -76,7 +81,7 @@ void add_numbers(std::vector<std::string>& row, const std::vector<RecordedSample
   }
   const RecordedRhythm rhythm = rhythm_of(samples);
   const bool has_rate = rhythm.mean_rate > 0;
-  row.push_back(has_rate ? fmt::format("{:.4g} Hz", rhythm.mean_rate) : "-");
+  row.push_back(has_rate ? rate_text(rhythm.mean_rate, 4) : "-");
   row.push_back(has_rate ? time_text(rhythm.gap_sd) : "-");
   const RecordedSizes sizes = sizes_of(samples);
   for (const std::uint32_t size : {sizes.least, sizes.median, sizes.most})
@@ -134,17 +139,17 @@ std::string size_text(const RecordedSizes& sizes) {
 std::string rhythm_text(const RecordedRhythm& rhythm) {
   switch (rhythm.kind) {
     case Kind::kPeriodic: {
-      std::string text = fmt::format("    rate: {:.5g} Hz\n", rhythm.rate);
+      std::string text = fmt::format("    rate: {}\n", rate_text(rhythm.rate, 5));
       // Below a microsecond it is what nanoseconds were rounded to.
       if (rhythm.jitter >= 1e-6) text += fmt::format("    jitter: {}\n", time_text(rhythm.jitter));
       return text;
     }
     case Kind::kPoisson:
-      return fmt::format("    poisson: {:.5g} Hz  # gaps: sd / mean = {:.2f}\n", rhythm.rate,
+      return fmt::format("    poisson: {}  # gaps: sd / mean = {:.2f}\n", rate_text(rhythm.rate, 5),
                          rhythm.gap_sd / rhythm.gap_mean);
     case Kind::kBursts:
-      return fmt::format("    bursts: {{rate: {:.5g} Hz, samples: {}, spacing: {}}}\n", rhythm.rate,
-                         rhythm.samples, time_text(rhythm.spacing));
+      return fmt::format("    bursts: {{rate: {}, samples: {}, spacing: {}}}\n",
+                         rate_text(rhythm.rate, 5), rhythm.samples, time_text(rhythm.spacing));
     case Kind::kFew:
       break;
   }

@@ -81,7 +81,7 @@ void CaptureReader::read_datagram(const WholeDatagram& datagram) {
   constexpr std::size_t kHeader = 8;
   if (cursor.is_short() || length < kHeader || length > datagram.payload.size()) return;
   const Octets payload = datagram.payload.subspan(kHeader, length - kHeader);
-  if (rtps_.read(datagram.at, payload)) return;
+  if (rtps_.read(datagram.at, datagram.source, payload)) return;
   into_.add_datagram(port, datagram.at, static_cast<std::uint32_t>(payload.size()));
 }
 

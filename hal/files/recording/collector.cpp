@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <stdexcept>
 
@@ -83,6 +84,13 @@ Recording Collector::finish() {
   for (const auto& [port, instants] : flows_)
     recording.flows.push_back({port, to_samples(instants)});
   recording.notes = std::move(notes_);
+  constexpr Duration kLong = std::chrono::hours(24 * 7);
+  if (recording.length > kLong) {
+    recording.notes.push_back(
+        fmt::format("from the first sample to the last are {} days: its time stamps may be of "
+                    "different clocks",
+                    std::chrono::duration_cast<std::chrono::hours>(recording.length).count() / 24));
+  }
   if (without_depth_ > 0) {
     recording.notes.push_back(fmt::format(
         "{} topic{}: the depth of the history is not recorded, for DDS does not announce it; {} is "

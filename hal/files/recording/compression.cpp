@@ -126,7 +126,10 @@ std::uint64_t zstd_content_size(Octets frame) {
   if (told == ZSTD_CONTENTSIZE_ERROR) damaged("zstd: the header of the frame is damaged");
   if (told != ZSTD_CONTENTSIZE_UNKNOWN) return told;
   std::uint64_t size = 0;
-  unzstd(frame, [&size](Octets block) { size += block.size(); });
+  unzstd(frame, [&size](Octets block) {
+    size += block.size();
+    if (size > std::numeric_limits<std::uint32_t>::max()) damaged("zstd: a message beyond 4 GiB");
+  });
   return size;
 }
 

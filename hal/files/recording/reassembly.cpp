@@ -5,7 +5,7 @@
 namespace hal::files::recording {
 
 std::optional<WholeDatagram> Reassembly::add(std::int64_t at, const rtps::IpPacket& packet) {
-  if (!packet.is_fragment()) return WholeDatagram{at, packet.payload};
+  if (!packet.is_fragment()) return WholeDatagram{at, packet.key.source, packet.payload};
   constexpr std::size_t kMostOctets = 65535;
   if (packet.payload.empty() || packet.offset + packet.payload.size() > kMostOctets)
     return std::nullopt;
@@ -20,7 +20,7 @@ std::optional<WholeDatagram> Reassembly::add(std::int64_t at, const rtps::IpPack
   if (complete(parts)) {
     const std::int64_t first = parts.at;
     unfinished_.erase(found);
-    return WholeDatagram{first, whole_};
+    return WholeDatagram{first, packet.key.source, whole_};
   }
   if (order_.size() > kMost) {
     given_up_ += unfinished_.erase(order_.front());

@@ -12,7 +12,8 @@ namespace hal::files::recording {
 
 /// The payload of a whole IP datagram.
 struct WholeDatagram {
-  std::int64_t at = 0;   ///< Of its first fragment that was captured [ns].
+  std::int64_t at = 0;  ///< Of its first fragment that was captured [ns].
+  rtps::IpAddress source{};
   rtps::Octets payload;  ///< Valid until the next call of add().
 };
 

@@ -1,8 +1,10 @@
 #include "hal/files/recording/rtps_traffic.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "hal/rtps/walk.h"
@@ -49,6 +51,16 @@ std::string unknown_writer(const rtps::Guid& guid) {
   return name + fmt::format("_{:08x}", guid.entity.value);
 }
 
+std::string address_text(const rtps::IpAddress& address) {
+  constexpr std::ptrdiff_t kBeforeIpv4 = 12;
+  const bool is_four = std::all_of(address.begin(), address.begin() + kBeforeIpv4,
+                                   [](std::uint8_t octet) { return octet == 0; });
+  char text[INET6_ADDRSTRLEN] = {};
+  ::inet_ntop(is_four ? AF_INET : AF_INET6, address.data() + (is_four ? kBeforeIpv4 : 0), text,
+              sizeof(text));
+  return text;
+}
+
 }  // namespace
 
 std::string ros_type(std::string_view dds_type) {
@@ -64,26 +76,25 @@ std::string ros_type(std::string_view dds_type) {
   return type;
 }
 
-bool RtpsTraffic::read(std::int64_t at, rtps::Octets datagram) {
+bool RtpsTraffic::read(std::int64_t at, const rtps::IpAddress& from, rtps::Octets datagram) {
   rtps::Walk walk(datagram);
   if (walk.fault()) return false;
   ++datagrams_;
   octets_ += datagram.size();
-  rtps::GuidPrefix source = walk.header().source;
+  Sender sender{from, walk.header().source};
   while (const rtps::Submessage* one = walk.next()) {
-    follow_source(*one, source);
+    follow_source(*one, sender.participant);
     if (one->kind == SubmessageKind::kData || one->kind == SubmessageKind::kDataFrag)
-      read_data(at, *one, source);
+      read_data(at, *one, sender);
     encrypted_ += one->kind == SubmessageKind::kSecureBody ? 1 : 0;
   }
   malformed_ += walk.fault() ? 1 : 0;
   return true;
 }
 
-void RtpsTraffic::read_data(std::int64_t at, const rtps::Submessage& one,
-                            const rtps::GuidPrefix& source) {
+void RtpsTraffic::read_data(std::int64_t at, const rtps::Submessage& one, const Sender& sender) {
   rtps::Data data;
-  if (!judge_data(one, source, {}, data).empty()) {
+  if (!judge_data(one, sender.participant, {}, data).empty()) {
     ++malformed_;
     return;
   }
@@ -91,9 +102,9 @@ void RtpsTraffic::read_data(std::int64_t at, const rtps::Submessage& one,
   if (data.writer.is_builtin() || data.is_key || data.payload.empty()) return;
   const std::uint32_t bytes =
       data.fragment_size > 0 ? data.sample_size : static_cast<std::uint32_t>(data.payload.size());
-  const bool is_new = writers_[{source, data.writer}]
-                          .samples.emplace(data.sequence_number, Sample{at, bytes})
-                          .second;
+  Writer& writer = writers_[{sender.participant, data.writer}];
+  if (writer.samples.empty()) writer.address = sender.address;
+  const bool is_new = writer.samples.emplace(data.sequence_number, Sample{at, bytes}).second;
   if (is_new && ++samples_ > kMostSamples)
     throw std::runtime_error(fmt::format("there are more than {} samples", kMostSamples));
 }
@@ -129,10 +140,23 @@ void RtpsTraffic::finish(Collector& into) const {
         fmt::format("{} writer{} not announced in the capture, which began later: {} under "
                     "unknown_writer_GUID, without a type or QoS",
                     unknown, unknown == 1 ? " is" : "s are", unknown == 1 ? "it is" : "they are"));
+  note_addresses(into);
   if (malformed_ > 0) into.note(fmt::format("{} RTPS messages are malformed", malformed_));
   if (encrypted_ > 0)
     into.note(
         fmt::format("{} RTPS submessages are encrypted; their samples are not seen", encrypted_));
+}
+
+void RtpsTraffic::note_addresses(Collector& into) const {
+  std::map<rtps::IpAddress, std::set<std::string>> topics;
+  for (const auto& [guid, writer] : writers_) {
+    if (!writer.samples.empty())
+      topics[writer.address].insert(writer.topic.empty() ? unknown_writer(guid) : writer.topic);
+  }
+  if (topics.size() < 2) return;
+  for (const auto& [address, names] : topics) {
+    into.note(fmt::format("written at {}: {}", address_text(address), fmt::join(names, ", ")));
+  }
 }
 
 }  // namespace hal::files::recording

@@ -8,6 +8,7 @@
 #include "hal/files/recording/collector.h"
 #include "hal/rtps/data.h"
 #include "hal/rtps/endpoint.h"
+#include "hal/rtps/ip_packet.h"
 
 namespace hal::files::recording {
 
@@ -21,10 +22,11 @@ std::string ros_type(std::string_view dds_type);
 /// announces anywhere in the capture.
 class RtpsTraffic {
  public:
-  /// @param at  ns  @return false: the datagram is not RTPS.
-  bool read(std::int64_t at, rtps::Octets datagram);
+  /// @param at  ns  @param from  its sender.  @return false: the datagram is not RTPS.
+  bool read(std::int64_t at, const rtps::IpAddress& from, rtps::Octets datagram);
 
-  /// Adds what was read to a recording, and notes of it.
+  /// Adds what was read to a recording, and notes of it: also from which address each topic came,
+  /// if there are several.
   void finish(Collector& into) const;
 
  private:
@@ -36,10 +38,17 @@ class RtpsTraffic {
     std::string topic;  ///< "": not announced.
     std::string type;
     OfferedQos offered;
+    rtps::IpAddress address{};               ///< Of its first sample.
     std::map<std::int64_t, Sample> samples;  ///< By sequence number.
   };
 
-  void read_data(std::int64_t at, const rtps::Submessage& one, const rtps::GuidPrefix& source);
+  /// The sender of a submessage.
+  struct Sender {
+    rtps::IpAddress address;
+    rtps::GuidPrefix participant;
+  };
+  void read_data(std::int64_t at, const rtps::Submessage& one, const Sender& sender);
+  void note_addresses(Collector& into) const;
   void learn(const rtps::Data& data);
 
   std::map<rtps::Guid, Writer> writers_;

@@ -72,5 +72,23 @@ TEST(ReadEndpoint, SaysNothingOfWhatIsCutOff) {
     EXPECT_FALSE(read_endpoint(octets_of(whole).first(size))) << size;
 }
 
+TEST(ReadEndpoint, ReadsDeadlineAndHistoryWhereTheyAreGiven) {
+  const std::string begin = "00030000 5a00 1000 0102030405060708090a0b0c 00000103";
+  const auto read = [&begin](const std::string& parameters) {
+    const Datagram payload = from_hex(begin + parameters + "0100 0000");
+    const auto endpoint = read_endpoint(octets_of(payload));
+    EXPECT_TRUE(endpoint);
+    return endpoint.value_or(DiscoveredEndpoint{});
+  };
+  EXPECT_FALSE(read("").deadline);
+  EXPECT_FALSE(read("").history);
+  EXPECT_EQ(read("2300 0800 01000000 00000080").deadline, 1'500'000'000);  // half of 2^32
+  EXPECT_FALSE(read("2300 0800 ffffff7f ffffffff").deadline);              // infinite
+  EXPECT_FALSE(read("4000 0800 00000000 07000000").history->keeps_all);
+  EXPECT_EQ(read("4000 0800 00000000 07000000").history->depth, 7U);
+  EXPECT_TRUE(read("4000 0800 01000000 00000000").history->keeps_all);
+  EXPECT_FALSE(read("4000 0400 01000000").history);  // too short
+}
+
 }  // namespace
 }  // namespace hal::rtps

@@ -87,6 +87,7 @@ inline void execute(const std::filesystem::path& file, const std::string& sql) {
 
 /// The tables of rosbag2_storage_sqlite3 in Humble.
 inline constexpr const char* kTables =
+    "PRAGMA page_size = 512;"  // small, so that each byte can be tried
     "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);"
     "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL, metadata "
     "TEXT NOT NULL);"

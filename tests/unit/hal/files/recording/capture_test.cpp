@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "hal/files/recording/rtps_traffic.h"
 #include "tests/unit/hal/files/recording/captures.h"
 
 namespace hal::files::recording {
@@ -187,6 +188,29 @@ TEST(Capture, PutsFragmentsTogetherInAnyOrder) {
   EXPECT_EQ(reversed.flows.front().datagrams.size(), ordered.flows.front().datagrams.size());
 }
 
+TEST(Capture, SaysAtWhichAddressATopicIsWritten) {
+  // The same programs once more, at another address and with other GUIDs: from each participant's
+  // prefix only the first octet is another one.
+  const auto frames = frames_of(real_capture("fastdds_v6.pcap"));
+  constexpr std::size_t kLastOfSource = 14 + 23;
+  std::vector<EthernetFrame> both = frames;
+  for (EthernetFrame other : frames) {
+    other.octets[kLastOfSource] = '\x99';
+    const std::size_t rtps = other.octets.find("RTPS");
+    const std::string prefix = rtps == std::string::npos ? "" : other.octets.substr(rtps + 8, 12);
+    for (std::size_t at = prefix.empty() ? prefix.npos : other.octets.find(prefix);
+         at != std::string::npos; at = other.octets.find(prefix, at))
+      other.octets[at] = '\x09';
+    both.push_back(other);
+  }
+  const std::size_t before = topic_of(read(pcap_of(frames, {})), "camera").samples.size();
+  const Recording recording = read(pcap_of(both, {}));
+  EXPECT_GT(topic_of(recording, "camera").samples.size(), before);
+  EXPECT_THAT(recording.notes, Contains(testing::ContainsRegex("^written at fe80:.*99: .*camera")));
+  for (const std::string& note : read(pcap_of(frames, {})).notes)
+    EXPECT_THAT(note, testing::Not(HasSubstr("written at"))) << "from one address only";
+}
+
 TEST(Capture, NamesWritersThatItDoesNotKnow) {
   // The capture begins after discovery.
   auto frames = frames_of(real_capture("cyclone_v4.pcap"));
@@ -210,6 +234,54 @@ TEST(Capture, SaysWhatItsSnapLengthCutOff) {
   }
   EXPECT_THAT(read(file).notes,
               Contains(testing::ContainsRegex("[0-9]+ packets were cut by the snap")));
+}
+
+TEST(Capture, CountsWhatItCannotSee) {
+  const auto frames = frames_of(real_capture("cyclone_v4.pcap"));
+  std::uint16_t control = 0x4108, sequence = 0;
+  const CaptureForm form{.link_type = 127, .wrapped = [&](const std::string& e) {
+                           return wireless(e, control, sequence++);
+                         }};
+  const std::string count = std::to_string(frames.size());
+  EXPECT_THAT(read(pcap_of(frames, form)).notes,
+              testing::ElementsAre(count + " frames are encrypted; what they carry is not seen"));
+  control = 0x0508;
+  EXPECT_THAT(read(pcap_of(frames, form)).notes,
+              testing::ElementsAre(count + " frames are fragments of MSDUs and are left out"));
+}
+
+TEST(Capture, CountsDatagramsThatLackFragments) {
+  auto frames = frames_of(real_capture("cyclone_v4.pcap"));
+  // The last fragments: an offset, and none follow (RFC 791, 3.1).
+  const auto is_last = [](const EthernetFrame& one) {
+    const auto octet = [&one](std::size_t at) {
+      return static_cast<unsigned char>(one.octets[at]);
+    };
+    const int flags = octet(20) << 8 | octet(21);
+    return octet(12) == 8 && octet(13) == 0 && (flags & 0x2000) == 0 && (flags & 0x1fff) != 0;
+  };
+  const std::size_t before = frames.size();
+  std::erase_if(frames, is_last);
+  const std::size_t erased = before - frames.size();
+  ASSERT_GT(erased, 0U);
+  EXPECT_THAT(read(pcap_of(frames, {})).notes,
+              Contains(std::to_string(erased) + " IP datagrams lack fragments and are left out"));
+}
+
+TEST(Capture, CountsPacketsWithoutATime) {
+  const auto frames = frames_of(real_capture("fastdds_v6.pcap"));
+  std::string file = pcapng_of(frames, {}, 9);
+  file += number(3, 4, false) + number(20, 4, false) + number(4, 4, false) + "abcd" +
+          number(20, 4, false);
+  EXPECT_THAT(read(file).notes, Contains("1 packets have no time stamp and are left out"));
+}
+
+TEST(Capture, GivesTypesTheirNamesInRos2) {
+  EXPECT_EQ(ros_type("sensor_msgs::msg::dds_::LaserScan_"), "sensor_msgs/msg/LaserScan");
+  EXPECT_EQ(ros_type("nav2_msgs::action::dds_::NavigateToPose_SendGoal_Request_"),
+            "nav2_msgs/action/NavigateToPose_SendGoal_Request");
+  EXPECT_EQ(ros_type("KeyedSeq"), "KeyedSeq");
+  EXPECT_EQ(ros_type("a::dds_::B"), "a::dds_::B");
 }
 
 TEST(Capture, RefusesAFileThatIsCutOffWithinAPacket) {
@@ -243,7 +315,7 @@ TEST(Capture, SurvivesChangedBytes) {
   const Scratch folder;
   std::mt19937 random(1);
   std::size_t refused = 0;
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < 200; ++round) {
     const char* const name = kCaptures[random() % 4];
     std::string file = real_capture(name);
     if (round % 3 == 1) file = pcapng_of(frames_of(file), {}, 6);
@@ -257,7 +329,7 @@ TEST(Capture, SurvivesChangedBytes) {
     ++refused;
     ASSERT_THAT(said, HasSubstr("changed.cap: byte ")) << round;
   }
-  EXPECT_GT(refused, 50U);
+  EXPECT_GT(refused, 20U);
 }
 
 TEST(Capture, NamesALinkTypeThatItDoesNotRead) {

@@ -141,6 +141,14 @@ TEST(Rosbag2, SaysWhereTheNumberOfMessagesIsAnotherOne) {
               ElementsAre("metadata.yaml tells of 7 messages; the files hold 3"));
 }
 
+TEST(Rosbag2, SaysWhereTimeStampsAreFarApart) {
+  const Scratch scratch;
+  write_db3(scratch.path() / "bag_0.db3", {{1, 7, cdr(8)}, {1, 1'700'000'000'000'000'000, cdr(8)}});
+  EXPECT_THAT(read_recording(scratch.path()).notes,
+              testing::Contains("from the first sample to the last are 19675 days: its time stamps "
+                                "may be of different clocks"));
+}
+
 TEST(Rosbag2, RefusesMetadataThatItCannotFollow) {
   const Scratch scratch;
   const auto said = [&scratch](const std::string& text) {

@@ -28,7 +28,7 @@ const compress = (compression) => (data) => {
   return { compression, compressedData: new Uint8Array(execFileSync(program, options, { input: data })) };
 };
 
-async function write(name, options, { profile = "ros2", encoding = "cdr", type = "ros2msg" } = {}) {
+async function write(name, options, { profile = "ros2", encoding = "cdr", type = "ros2msg", small = false } = {}) {
   const buffer = new TempBuffer();
   const writer = new McapWriter({ writable: buffer, ...options });
   await writer.start({ profile, library: "@mcap/core" });
@@ -40,15 +40,15 @@ async function write(name, options, { profile = "ros2", encoding = "cdr", type =
   };
   await channel("/scan", "sensor_msgs/msg/LaserScan", SCAN);
   await channel("/odom", "nav_msgs/msg/Odometry", ODOM);
-  await channel("/tf_static", "tf2_msgs/msg/TFMessage", STATIC);
+  if (!small) await channel("/tf_static", "tf2_msgs/msg/TFMessage", STATIC);
   const add = (index, sequence, ms, publishedMs, size) =>
     writer.addMessage({
       channelId: channels[index], sequence, logTime: START + BigInt(ms) * 1000000n,
       publishTime: publishedMs === undefined ? 0n : START + BigInt(publishedMs) * 1000000n,
       data: new Uint8Array(size).fill(7, 4),
     });
-  await add(2, 0, 0, undefined, 104);
-  for (let i = 0; i < 10; ++i) {
+  if (!small) await add(2, 0, 0, undefined, 104);
+  for (let i = 0; i < (small ? 2 : 10); ++i) {
     await add(0, i, 100 * i + 10, 100 * i + 8, 400 + i); // 2 ms under way
     await add(1, i, 100 * i + 20, undefined, 80);
   }
@@ -59,6 +59,7 @@ async function write(name, options, { profile = "ros2", encoding = "cdr", type =
 await write("zstd.mcap", { chunkSize: 1500, compressChunk: compress("zstd") });
 await write("lz4.mcap", { chunkSize: 1500, compressChunk: compress("lz4") });
 await write("chunks.mcap", { chunkSize: 1500 });
+await write("small.mcap", { compressChunk: compress("zstd") }, { small: true });
 await write("plain.mcap", { useChunks: false });
 await write("no_summary.mcap", {
   useStatistics: false, useSummaryOffsets: false, useMessageIndex: false, useChunkIndex: false,
