@@ -49,6 +49,7 @@ std::span<const BaseTopic> base_topics() { return kTopics; }
 
 std::vector<std::string> topic_keys() {
   std::vector<std::string> keys;
+  keys.reserve(kTopics.size());
   for (const BaseTopic& topic : kTopics) keys.emplace_back(topic.key);
   return keys;
 }

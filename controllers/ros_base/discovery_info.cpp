@@ -10,6 +10,7 @@ using eprosima::fastrtps::rtps::GUID_t;
 
 std::vector<rmw::Gid_> gids_of(const std::vector<GUID_t>& guids) {
   std::vector<rmw::Gid_> gids;
+  gids.reserve(guids.size());
   for (const GUID_t& guid : guids) gids.push_back(gid_of(guid));
   return gids;
 }

@@ -133,7 +133,9 @@ std::vector<hal::ParameterSpec> base_parameters() {
 }
 
 std::vector<hal::ParameterMistake> judged(const hal::Parameters& parameters) {
-  if (!parameters.flag("publish_clock") || parameters.flag("use_sim_time")) return {};
+  const bool has_clock = parameters.flag("publish_clock") ||
+                         std::ranges::count(parameters.texts("topics"), "clock") > 0;
+  if (!has_clock || parameters.flag("use_sim_time")) return {};
   return {{"publish_clock", "/clock is published, but use_sim_time is false: stamps are not its",
            true}};
 }

@@ -13,7 +13,7 @@ import unittest
 import xml.etree.ElementTree as xml
 
 from baraka import BIN, ROOT, Case
-from ros2 import DEADLINE, DURABILITY, ENDPOINTS, PROGRAMS, Qos, RELIABILITY, Tree, listen, program_of, reader, refused, writer
+from ros2 import DEADLINE, DURABILITY, ENDPOINTS, PROGRAMS, Qos, RELIABILITY, SCENARIO, Tree, listen, program_of, reader, refused, writer
 from teleop_behind_a_wall_test import needs_namespaces
 
 sys.path.insert(0, str(ROOT / "tests/validation"))
@@ -337,6 +337,14 @@ class Offers(Case):
         self.assertEqual({one["frame"] for one in ears.samples("rt/r0/front/scan")}, {"r0/base_scan"})
         tree = Tree(ears.samples("rt/r0/tf"), ears.samples("rt/tf_static"))
         self.assertEqual({tree.chain(frame)[-1] for frame in tree.parents}, {"r0/odom"})
+
+    def test_what_a_program_of_its_own_agent_hears_is_not_on_the_air(self):
+        ears = program_of("ears", ["ros_endpoints", "0", "reader,Odometry,rt/r0/odom,reliable,volatile"])
+        self.run_baraka(SCENARIO, "--no-inspect", "--set", f"agents.robot.programs=[{ears}]", "--set", "end.0.at=3 s", env=PROGRAMS)
+        heard = [line for line in (self.out / "r0.ears.log").read_text().splitlines() if "written" in line]
+        self.assertGreater(len(heard), 20)
+        told = self.query("SELECT COALESCE(SUM(bits), 0) FROM air_topics WHERE topic = 'rt/r0/odom'")
+        self.assertEqual(told, [(0,)])
 
     def test_rates_follow_the_control_cycle_and_the_device(self):
         endpoints = [reader("Odometry", "rt/r0/odom"), reader("LaserScan", "rt/r0/scan", SENSOR_DATA)]

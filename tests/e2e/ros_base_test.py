@@ -53,12 +53,12 @@ class OnARobot(RealAgents):
         self.assertEqual((transform["parent"], transform["child"]), ("odom", "base_footprint"))
         self.assertEqual([(one["parent"], one["child"]) for one in wheels],
                          [("base_link", f"wheel_{i}_link") for i in range(3)])
-        self.assertEqual([(one["parent"], one["child"]) for one in last("rt/tf_static")["transforms"]],
+        self.assertEqual([(one["parent"], one["child"]) for one in wait_for(lambda: last("rt/tf_static"))["transforms"]],
                          [("base_footprint", "base_link")])
-        joints = last("rt/joint_states")
+        joints = wait_for(lambda: last("rt/joint_states"))
         self.assertEqual(joints["names"], [f"wheel_{i}_joint" for i in range(3)])
         self.assertGreater(max(abs(angle) for angle in joints["position"]), 0.15 / 0.06, "rad, of a wheel of 6 cm")
-        statuses = {one["name"]: one["message"] for one in last("rt/diagnostics")["status"]}
+        statuses = {one["name"]: one["message"] for one in wait_for(lambda: last("rt/diagnostics"))["status"]}
         self.assertIn(statuses["ros_base: commands"], ("driving", "stopped"))
         self.assertEqual(told.samples("rt/scan"), [], "it has no scanner")
         self.assertAlmostEqual(transform["translation"][0], x, delta=0.02)

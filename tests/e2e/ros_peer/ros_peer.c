@@ -7,8 +7,9 @@
  *   ros_peer switch DOMAIN Bool TOPIC                  a sample per 0 or 1 on standard input
  *
  * TYPE: Clock, TFMessage, Odometry, Range, LaserScan, Imu, BatteryState, MarkerArray, String, JointState,
- * DiagnosticArray, ParticipantEntitiesInfo; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready"
- * goes to standard error when it looks for the others; `switch` has found one then.
+ * DiagnosticArray, ParticipantEntitiesInfo; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy qz qw),
+ * Bool (0 or 1), String (the value is not looked at: "hello"). "ready" goes to standard error when it looks
+ * for the others; `switch` has found one then.
  */
 #include <dds/dds.h>
 #include <stdio.h>

@@ -146,6 +146,11 @@ TEST(RosBase, AClockThatNoStampIsOfIsPointedOut) {
   ASSERT_EQ(mistakes.size(), 1);
   EXPECT_EQ(mistakes[0].name, "publish_clock");
   EXPECT_TRUE(mistakes[0].can_work);
+  values.at("publish_clock") = false;
+  values.at("topics") = std::vector<std::string>{"odom", "clock"};
+  EXPECT_EQ(kind.judge(hal::Parameters(values)).size(), 1);
+  values.at("use_sim_time") = true;
+  EXPECT_TRUE(kind.judge(hal::Parameters(values)).empty());
 }
 
 TEST(RosBase, AnAgentWhoseNameIsNoNamespaceIsAnError) {
