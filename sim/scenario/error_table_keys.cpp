@@ -118,7 +118,7 @@ radio::ErrorTable table_of(const std::vector<Line>& lines, const Key& key, Mappi
 }
 
 /// The folder of the file in which a value stands; empty on the command line.
-fs::path folder_of(const std::string& place) {
+fs::path folder_of_table(const std::string& place) {
   const std::size_t column = place.rfind(':');
   if (column == std::string::npos) return {};
   const std::size_t line = place.rfind(':', column - 1);
@@ -163,7 +163,7 @@ void read(Mapping& in, const Key& key, radio::ErrorTable& table) {
   if (!in.has(key.name)) return;
   std::vector<Line> lines;
   if (in.has_scalar(key.name)) {
-    const fs::path file = folder_of(in.place(key.name)) / in.text(key);
+    const fs::path file = folder_of_table(in.place(key.name)) / in.text(key);
     lines = lines_of(file.lexically_normal(), key, in);
   } else {
     int number = 0;

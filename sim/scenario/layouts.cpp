@@ -31,7 +31,7 @@ void origin_key(Fields& io, hal::Vec2& origin) {
           origin);
 }
 
-void keys_of(Fields& io, GridLayout& c) {
+void layout_keys(Fields& io, GridLayout& c) {
   io.needed_count({"columns", "Number of agents along x.", "5"}, 1, kMostAgents, c.columns);
   io.needed_count({"rows", "Number of agents along y.", "5"}, 1, kMostAgents, c.rows);
   io.needed({"spacing", "Distance between neighbours along x and along y.", "[125 m, 125 m]"}, "m",
@@ -40,7 +40,7 @@ void keys_of(Fields& io, GridLayout& c) {
   yaw_key(io, c.yaw);
 }
 
-void keys_of(Fields& io, CircleLayout& c) {
+void layout_keys(Fields& io, CircleLayout& c) {
   count_key(io, c.count);
   io.needed({"radius", "Radius of the circle.", "5 m"}, "m", kDistance, c.radius);
   io.vec2({"centre", "Centre of the circle, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
@@ -48,7 +48,7 @@ void keys_of(Fields& io, CircleLayout& c) {
   yaw_key(io, c.yaw);
 }
 
-void keys_of(Fields& io, LineLayout& c) {
+void layout_keys(Fields& io, LineLayout& c) {
   count_key(io, c.count);
   io.needed({"spacing", "Distance from one agent to the next.", "30 m"}, "m", kDistance, c.spacing);
   origin_key(io, c.origin);
@@ -57,7 +57,7 @@ void keys_of(Fields& io, LineLayout& c) {
   yaw_key(io, c.yaw);
 }
 
-void keys_of(Fields& io, UniformLayout& c) {
+void layout_keys(Fields& io, UniformLayout& c) {
   count_key(io, c.count);
   io.needed({"from", "Corner of the rectangle, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
             c.from);
@@ -78,7 +78,7 @@ const std::array kLayouts{
                                            "depends on the run's seed and the group's name."})};
 
 /// Poses are not a mapping.
-void keys_of(Fields& /*io*/, std::vector<hal::Pose2>& /*poses*/) {}
+void layout_keys(Fields& /*io*/, std::vector<hal::Pose2>& /*poses*/) {}
 
 /// Points of a plane that keep a minimum distance. Cells have that size, so only the surrounding
 /// cells need to be checked.
@@ -189,7 +189,7 @@ struct Expand {
 
 bool layout_keys(Fields& io, Placement& placement, const std::function<void(Fields&)>& otherwise) {
   const auto keys = [](Fields& one, Placement& layout) {
-    std::visit([&one](auto& c) { keys_of(one, c); }, layout);
+    std::visit([&one](auto& c) { layout_keys(one, c); }, layout);
   };
   return io.one_of(kLayouts, placement, keys, otherwise);
 }
