@@ -106,7 +106,8 @@ Results::Results(const Scenario& scenario, const RunOptions& options, const std:
       settings_(settings_of(scenario, options, pace)),
       folder_(results_path(options, scenario.name),
               {.files = files_of(scenario), .overwrite = options.overwrite}, std::move(held)),
-      fingerprint_([this](const sim::Fingerprint::Row& row) { recorder_->add(row); }) {
+      fingerprint_([this](const sim::Fingerprint::Row& row) { recorder_->add(row); }),
+      unused_priorities_(scenario.simulation.routing.priorities) {
   sim::log_to_file((folder_.path() / kLog).string(), *hal::log::level_called(options.log));
   write_file(folder_.path() / kScenario, sim::scenario::resolved_yaml(scenario));
   reserve_room(folder_.path() / kReserve);
@@ -141,6 +142,7 @@ void Results::begin(sim::agents::Simulation& simulation) {
   simulation.add_observer(*recorder_);
   recorder_->look_at(simulation);
   simulation.add_observer(fingerprint_);
+  if (!scenario_.simulation.routing.priorities.empty()) simulation.add_observer(unused_priorities_);
   if (!scenario_.record.air.empty()) capture(simulation);
   if (!scenario_.record.observables.empty()) observe(simulation);
 }
@@ -215,6 +217,9 @@ gateway::process::ExitStatus Results::finish(const sim::agents::Simulation& simu
     recorder_->set("exit_status", std::uint64_t{status});
     recorder_->finish(outcome, fingerprint_.fingerprint());
     warn_of_unheard_topics(*recorder_, outcome.ended_at);
+    for (const std::string& line : unused_priorities_.lines()) {
+      hal::log::warning(outcome.ended_at, "run", "{}", line);
+    }
   } catch (const std::exception& e) {
     outcome.kind = Outcome::Kind::kFailed;
     outcome.result = "failed";

@@ -7,6 +7,7 @@
 #include "baraka/run/network/network_of_run.h"
 #include "baraka/run/output/results_folder.h"
 #include "baraka/run/run_command.h"
+#include "baraka/run/unused_priorities.h"
 #include "gateway/process/exit_status.h"
 #include "results/record/air_capture.h"
 #include "results/record/recorder.h"
@@ -71,6 +72,7 @@ class Results {
   std::optional<results::record::Recorder> recorder_;
   std::optional<results::record::AirCapture> capture_;
   sim::agents::FingerprintFeed fingerprint_;
+  UnusedPriorities unused_priorities_;
 };
 
 }  // namespace baraka::run

@@ -26,6 +26,12 @@ namespace sim::scenario {
 
 namespace {
 
+void note_priorities(const Mapping& in, Scenario& scenario) {
+  for (const auto& [topic, priority] : scenario.simulation.routing.priorities) {
+    scenario.priority_places[topic] = in.place(topic);
+  }
+}
+
 /// Checks that involve several sections.
 void check_sections(Mapping& in, Scenario& scenario) {
   check_access_points(in, scenario);
@@ -35,6 +41,7 @@ void check_sections(Mapping& in, Scenario& scenario) {
   check_loss_names(in.within("radio"), scenario);
   find_static_routes(in, scenario);
   find_ip_routes(in, scenario);
+  note_priorities(in.within("priorities"), scenario);
 }
 
 }  // namespace

@@ -114,6 +114,8 @@ struct Scenario {
   std::vector<PlotRequest> report;  ///< Plots of the report.
   Published compare = Published::kNothing;
   std::vector<AwaitedState> awaited;  ///< For a check against the states that controllers declare.
+  /// "file:line:column" of each topic of `priorities`, for a check against those of controllers.
+  std::map<std::string, std::string> priority_places;
   /// One line for each value that is allowed but probably a mistake.
   std::vector<std::string> warnings;
 };

@@ -3,7 +3,7 @@
 does to their delay."""
 import unittest
 
-from baraka import ROOT, Case
+from baraka import ROOT, Case, Program
 
 SCENARIO = ROOT / "tests/e2e/priorities.yaml"
 VOICE = ("--set", "agents.alarm.controller.parameters.priority=6")
@@ -56,6 +56,25 @@ class Priorities(Case):
         self.play(*VOICE, "--set", "priorities.alarm=background")
         self.assertEqual(self.of_messages("alarm"), [(1,)])
         self.assertEqual(self.of_frames("alarm"), [(1, "BK")])
+
+    def test_a_topic_of_the_file_that_no_controller_has_is_a_mistake(self):
+        text = SCENARIO.read_text().replace("../../config", str(ROOT / "config"))
+        misspelt = self.folder / "misspelt.yaml"
+        misspelt.write_text("priorities:\n  alarm: voice\n  bukl: 1\n" + text)
+        mistake = f"{misspelt}:3:9: priorities.bukl: no agent sends or receives this topic; did you mean 'bulk'?"
+        finished = Program("baraka", "check", misspelt).finish()
+        self.assertEqual((finished.status, finished.err), (2, mistake + "\n"))
+        misspelt.write_text(misspelt.read_text().replace("bukl", "bulk"))
+        self.assertEqual(Program("baraka", "check", misspelt).finish().status, 0)
+
+    def test_a_topic_of_the_file_that_no_message_had_is_said_at_the_end(self):
+        # The controller of `relay` does not declare its topics.
+        self.play("--set", "agents.relay.controller={program: gap_mote, parameters: {sink: sink}}",
+                  "--set", "priorities={alarm: voice, bukl: 1}")
+        line = "priorities.bukl: no message had this topic; did you mean 'bulk'?"
+        self.assertIn(line, self.finished.err)
+        self.assertIn(line, (self.out / "run.log").read_text())
+        self.assertNotIn("priorities.alarm", self.finished.err)
 
     def test_without_qos_the_priority_is_carried_and_has_no_effect(self):
         self.play("--set", "radio.qos=false")

@@ -50,11 +50,11 @@ NamesCheck::NamesCheck(const sim::scenario::Scenario& scenario) : scenario_(scen
 }
 
 void NamesCheck::add(const Group& group, const hal::ControllerKind& kind) {
-  hears_unknown_ |= !declares_topics(kind);
+  has_unknown_ |= !declares_topics(kind);
   for (const hal::AgentId id : group.agents) {
     const AgentConfig& agent = config_of(scenario_, id);
     if (!gateway::runtime::check_parameters(kind, agent.parameters).empty()) {
-      hears_unknown_ = true;
+      has_unknown_ = true;
       continue;
     }
     add(group, kind, agent);
@@ -107,16 +107,32 @@ void NamesCheck::note(std::vector<std::string>& lines, std::string line) {
   if (said_.insert(line).second) lines.push_back(std::move(line));
 }
 
-void NamesCheck::finish(std::vector<std::string>& mistakes, std::vector<std::string>& warnings) {
+void NamesCheck::warn_of_unheard() {
   // If no agent receives any topic, the messages are meant as load on the channel.
-  const bool is_load = heard_.empty() || hears_unknown_;
+  if (heard_.empty() || has_unknown_) return;
   for (const auto& [place, sent] : sent_) {
     const auto& [key, topic] = sent;
-    if (is_load || heard_.contains(topic)) continue;
+    if (heard_.contains(topic)) continue;
     note(warnings_,
          fmt::format("{}: warning: {}: no agent receives the topic '{}'; agents receive: '{}'",
                      place, key, topic, fmt::join(heard_, "', '")));
   }
+}
+
+void NamesCheck::check_priorities() {
+  std::vector<std::string> topics(heard_.begin(), heard_.end());
+  for (const auto& [place, sent] : sent_) topics.push_back(sent.second);
+  if (topics.empty() || has_unknown_) return;
+  for (const auto& [topic, place] : scenario_.priority_places) {
+    if (std::ranges::find(topics, topic) != topics.end()) continue;
+    note(mistakes_, fmt::format("{}: priorities.{}: no agent sends or receives this topic{}", place,
+                                topic, hal::files::config::suggestion(topic, topics)));
+  }
+}
+
+void NamesCheck::finish(std::vector<std::string>& mistakes, std::vector<std::string>& warnings) {
+  warn_of_unheard();
+  check_priorities();
   std::ranges::move(mistakes_, std::back_inserter(mistakes));
   std::ranges::move(warnings_, std::back_inserter(warnings));
 }

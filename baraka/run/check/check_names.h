@@ -10,7 +10,8 @@
 
 namespace baraka::run::check {
 
-/// Checks the agents and topics that controllers' parameters name, and combinations of parameters.
+/// Checks the agents and topics that controllers' parameters name, combinations of parameters, and
+/// the topics of `priorities`. A controller with a parameter for a topic has no other topics.
 /// Agents whose parameters have mistakes of their own are left out.
 class NamesCheck {
  public:
@@ -18,7 +19,7 @@ class NamesCheck {
 
   void add(const sim::scenario::Group& group, const hal::ControllerKind& kind);
   /// To be called for a controller whose parameters are not known.
-  void add_unknown() { hears_unknown_ = true; }
+  void add_unknown() { has_unknown_ = true; }
 
   /// Appends the findings, each once. To be called once, after all groups were added.
   void finish(std::vector<std::string>& mistakes, std::vector<std::string>& warnings);
@@ -31,6 +32,8 @@ class NamesCheck {
             const std::string& whose);
   void check_agent(const std::string& place, const hal::ParameterSpec& spec,
                    const std::string& named, const std::string& whose);
+  void warn_of_unheard();
+  void check_priorities();
   void note(std::vector<std::string>& lines, std::string line);
 
   const sim::scenario::Scenario& scenario_;
@@ -38,7 +41,7 @@ class NamesCheck {
   std::set<std::string> heard_;      ///< Topics that some agent receives.
   /// Key and sent topic, by place in the file.
   std::map<std::string, std::pair<std::string, std::string>> sent_;
-  bool hears_unknown_ = false;  ///< Some agent may receive any topic.
+  bool has_unknown_ = false;    ///< Some agent may send and receive any topic.
   std::set<std::string> said_;  ///< Findings so far, to note each once.
   std::vector<std::string> mistakes_, warnings_;
 };
