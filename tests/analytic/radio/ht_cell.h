@@ -75,10 +75,15 @@ inline QosCell cell_of(const PeerRow& row) {
 }
 
 /// What ours yields in a cell, of what a row is about: a run for each seed from 1 on.
-inline std::vector<Served> runs_of(const PeerRow& row, int seeds, hal::Duration time) {
+/// @param change  what is to differ from ht_like_the_peer().
+inline std::vector<Served> runs_of(
+    const PeerRow& row, int seeds, hal::Duration time,
+    const std::function<void(HtConfig&)>& change = [](HtConfig&) {}) {
   std::vector<Served> served;
   for (int seed = 1; seed <= seeds; ++seed) {
-    Air air(ht_like_the_peer(row));
+    RadioConfig config = ht_like_the_peer(row);
+    change(*ht_of(config));
+    Air air(config);
     air.seed = static_cast<std::uint64_t>(seed);
     QosCell cell = cell_of(row);
     cell.time = time;

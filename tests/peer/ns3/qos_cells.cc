@@ -1,12 +1,18 @@
 // Cells of 802.11n, ac or ax (or g with QoS), ad hoc: stations of three access categories on a
 // circle round their receiver, saturated or, voice, with packets at a rate. Prints a line of CSV
 // for each category; --header prints the columns, --air every frame on the air (to the error
-// stream).
+// stream). Two differences from the standard can be removed: --restart, --unordered.
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "ns3/ampdu-subframe-header.h"
+#include "ns3/channel-access-manager.h"
+#include "ns3/llc-snap-header.h"
+#include "ns3/wifi-mac-trailer.h"
+#include "ns3/wifi-phy-state-helper.h"
 #include "wifi.h"
 
 using namespace ns3;
@@ -19,7 +25,7 @@ struct Options {
          txop_vo = -1, radius = 5, preamble = 4;
   unsigned width = 20, guard = 800, mcs = 7, streams = 1, ampdu = 0, amsdu = 0, be = 1, vi = 0,
            vo = 0, size = 1500, vo_size = 1500, seed = 1;
-  bool header = false, air = false;
+  bool header = false, air = false, restart = false, unordered = false;
 };
 Options options;
 
@@ -29,6 +35,7 @@ struct Source {
   uint8_t priority = 0;
   unsigned size = 0;
   double rate = 0;
+  unsigned sent = 0;
 };
 std::vector<Source> sources;
 Address receiver;
@@ -44,14 +51,20 @@ std::map<AcIndex, Counts> counts;
 
 bool is_measured() { return Simulator::Now().GetSeconds() >= options.warm; }
 
-// A packet begins with the index of its source and the time of its sending.
+// How a packet begins.
+struct Mark {
+  int64_t sent = 0;  // ns
+  uint32_t source = 0, number = 0;
+  bool operator<(const Mark& other) const {
+    return std::tie(source, number) < std::tie(other.source, other.number);
+  }
+};
+
 void send(size_t index) {
-  const Source& source = sources[index];
+  Source& source = sources[index];
   std::vector<uint8_t> bytes(source.size);
-  const int64_t now = Simulator::Now().GetNanoSeconds();
-  const uint32_t id = index;
-  std::memcpy(&bytes[0], &id, 4);
-  std::memcpy(&bytes[4], &now, 8);
+  const Mark mark{Simulator::Now().GetNanoSeconds(), uint32_t(index), source.sent++};
+  std::memcpy(bytes.data(), &mark, sizeof mark);
   const auto packet = Create<Packet>(bytes.data(), bytes.size());
   SocketPriorityTag tag;
   tag.SetPriority(source.priority);
@@ -71,18 +84,38 @@ void tick(size_t index) {
   Simulator::Schedule(NanoSeconds(std::llround(1e9 / sources[index].rate)), &tick, index);
 }
 
-bool on_received(Ptr<NetDevice>, Ptr<const Packet> packet, uint16_t protocol, const Address&) {
-  if (protocol != peer::kEthertype || !is_measured()) return true;
-  uint8_t bytes[12];
-  packet->CopyData(bytes, sizeof bytes);
-  uint32_t id = 0;
-  int64_t sent = 0;
-  std::memcpy(&id, bytes, 4);
-  std::memcpy(&sent, bytes + 4, 8);
-  Counts& of = counts[sources.at(id).category];
+Mark mark_of(Ptr<const Packet> packet) {
+  Mark mark;
+  packet->CopyData(reinterpret_cast<uint8_t*>(&mark), sizeof mark);
+  return mark;
+}
+
+void count(Ptr<const Packet> packet) {
+  const Mark mark = mark_of(packet);
+  Counts& of = counts[sources.at(mark.source).category];
   of.bytes += packet->GetSize();
-  of.delays.push_back((Simulator::Now().GetNanoSeconds() - sent) * 1e-9);
+  of.delays.push_back((Simulator::Now().GetNanoSeconds() - mark.sent) * 1e-9);
+}
+
+bool on_received(Ptr<NetDevice>, Ptr<const Packet> packet, uint16_t protocol, const Address&) {
+  if (protocol == peer::kEthertype && is_measured() && !options.unordered) count(packet);
   return true;
+}
+
+// --unordered: an MPDU at the receiver, before the reorder buffer.
+void on_heard(Ptr<const Packet> frame, MpduInfo part) {
+  const Ptr<Packet> copy = frame->Copy();
+  AmpduSubframeHeader delimiter;
+  if (part.type != NORMAL_MPDU) copy->RemoveHeader(delimiter);
+  WifiMacHeader header;
+  copy->RemoveHeader(header);
+  if (!header.IsQosData() || header.GetAddr1() != receiver || !is_measured()) return;
+  WifiMacTrailer fcs;
+  copy->RemoveTrailer(fcs);
+  LlcSnapHeader llc;
+  copy->RemoveHeader(llc);
+  static std::set<Mark> heard;
+  if (heard.insert(mark_of(copy)).second) count(copy);
 }
 
 // Nodes are numbered from the receiver, 0.
@@ -170,6 +203,18 @@ void set_limits(Ptr<WifiMac> mac) {
   }
 }
 
+// --restart: when a right frame ends an EIFS, ns-3.37 counts slots from then on, but leaves the
+// timer of the access as it was, and so sends no earlier than if the EIFS had gone on.
+void restart_access_after_right_frames(Ptr<WifiNetDevice> device) {
+  const Ptr<ChannelAccessManager> access = device->GetMac()->GetChannelAccessManager(0);
+  device->GetPhy()->GetState()->TraceConnectWithoutContext(
+      "RxOk", Callback<void, Ptr<const Packet>, double, WifiMode, WifiPreamble>(
+                  [access](Ptr<const Packet>, double, WifiMode, WifiPreamble) {
+                    Simulator::ScheduleNow(&ChannelAccessManager::DoRestartAccessTimeoutIfNeeded,
+                                           access);
+                  }));
+}
+
 void set_up(Ptr<WifiNetDevice> device) {
   device->GetPhy()->SetSlot(MicroSeconds(9));
   device->GetPhy()->SetPifs(device->GetPhy()->GetSifs() + MicroSeconds(9));
@@ -179,6 +224,7 @@ void set_up(Ptr<WifiNetDevice> device) {
   } else if (options.phy == "ax") {
     device->GetHeConfiguration()->SetGuardInterval(NanoSeconds(options.guard));
   }
+  if (options.restart) restart_access_after_right_frames(device);
   const uint32_t node = device->GetNode()->GetId();
   device->GetPhy()->TraceConnectWithoutContext(
       "MonitorSnifferTx",
@@ -226,6 +272,8 @@ void parse(int argc, char** argv) {
   line.AddValue("radius", "of the circle, m", options.radius);
   line.AddValue("preamble", "lowest SNR of the preamble detector, dB", options.preamble);
   line.AddValue("loss", "of MPDUs at the receiver", options.loss);
+  line.AddValue("restart", "access timers after right frames", options.restart);
+  line.AddValue("unordered", "count before the reorder buffer", options.unordered);
   line.AddValue("seed", "run number", options.seed);
   line.AddValue("warm", "s before it measures", options.warm);
   line.AddValue("seconds", "measured", options.seconds);
@@ -279,6 +327,15 @@ int main(int argc, char** argv) {
   wifi.AssignStreams(devices, 1000);
   receiver = devices.Get(0)->GetAddress();
   devices.Get(0)->SetReceiveCallback(MakeCallback(&on_received));
+  if (options.unordered) {
+    DynamicCast<WifiNetDevice>(devices.Get(0))
+        ->GetPhy()
+        ->TraceConnectWithoutContext(
+            "MonitorSnifferRx",
+            Callback<void, Ptr<const Packet>, uint16_t, WifiTxVector, MpduInfo, SignalNoiseDbm,
+                     uint16_t>([](Ptr<const Packet> frame, uint16_t, WifiTxVector, MpduInfo part,
+                                  SignalNoiseDbm, uint16_t) { on_heard(frame, part); }));
+  }
   for (uint32_t i = 0; i < devices.GetN(); ++i) {
     const auto device = DynamicCast<WifiNetDevice>(devices.Get(i));
     set_up(device);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The runs of {vht_he,ht_ampdu,edca}_ns3.csv, one command a line; in the folder of the peer programs:
+# The runs of {vht_he,ht_ampdu,edca_ht,edca_eifs}_ns3.csv, one command a line; in the folder of the peer programs:
 #   sh qos_cells.sh vht_he | xargs -P 2 -I{} sh -c '{}'
 # A station alone needs one seed, several need ten; with 20, MSDUs that wait in reorder buffers when the
 # measurement begins count, unless it begins late. At 5 m, neighbours do not decode MCS 11 in 80 MHz.
@@ -79,12 +79,19 @@ ht_ampdu() {
 }
 
 # Voice of 200 bytes 50 times a second, or saturated with the TXOP limit 0, beside best effort.
-edca() {
+edca_ht() {
   for ampdu in 0 65535; do
     n="--phy=n --band=2.4 --mcs=7 --be=5 --vo=5 --seconds=4 --ampdu=$ampdu"
     several "$n" --vo_size=200 --vo_rate=50 --txop_vo=0
     several "$n" --txop_vo=0
   done
+}
+
+# The A-MPDUs of edca_ht without what ns-3.37 does to EIFS and to MPDUs behind one that was given up.
+edca_eifs() {
+  n="--phy=n --band=2.4 --mcs=7 --be=5 --vo=5 --ampdu=65535 --txop_vo=0 --restart"
+  several "$n" --seconds=30
+  several "$n" --seconds=20 --vo_size=200 --vo_rate=50 --unordered
 }
 
 "$1"
