@@ -13,6 +13,7 @@
 #include "sim/radio/mac/aggregation_config.h"
 #include "sim/radio/mac/edca_config.h"
 #include "sim/radio/mac/queues_config.h"
+#include "sim/radio/phy/error_table.h"
 #include "sim/radio/rate/rate_control_config.h"
 #include "sim/radio/station_config.h"
 #include "sim/radio/waves_config.h"
@@ -76,6 +77,7 @@ struct Ieee80211gConfig : DcfConfig {
   static constexpr Standard kRates = Standard::kIeee80211g;
   Ieee80211gConfig();
   BitsAtRisk bits_at_risk = BitsAtRisk::kMpdu;
+  ErrorTable error_table{};  ///< Replaces the formula for the modes that it has.
 };
 
 /// Mode of unicast data in the profiles with MCSs; with rate control, the highest MCS and most

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "sim/radio/phy/error_table.h"
 #include "sim/radio/qos_rules.h"
 #include "sim/radio/station_profile.h"
 
@@ -125,6 +126,18 @@ void ask_dcf(Rules& rules, Standard rates, const DcfConfig& c) {
   ask_rate_control(rules, c.rate_control);
 }
 
+/// @param newest  modulation class of the profile.
+void ask_error_table(Rules& rules, const ErrorTable& table, ModulationClass newest) {
+  const auto wrong = wrong_rows(table);
+  if (!wrong.empty()) {
+    rules.ask(false, "error_table",
+              fmt::format("row {} {}", wrong.front().row + 1, wrong.front().what));
+  }
+  const bool has_mode = std::ranges::any_of(
+      table, [newest](const ErrorRow& row) { return row.modulation <= newest; });
+  rules.ask(table.empty() || has_mode, "error_table", "has no mode of this profile");
+}
+
 void ask_one(Rules& rules, const MobilityFrameworkConfig& c) { ask_waves(rules, c.kRates, c); }
 
 void ask_one(Rules& rules, const ForeignProfileConfig& c) {
@@ -137,6 +150,7 @@ void ask_one(Rules& rules, const Ieee80211bConfig& c) { ask_dcf(rules, c.kRates,
 void ask_one(Rules& rules, const Ieee80211gConfig& c) {
   ask_dcf(rules, c.kRates, c);
   rules.ask(c.receiver.error_model == ErrorModel::kDsss, "error_model", "must be dsss");
+  ask_error_table(rules, c.error_table, ModulationClass::kOfdm);
 }
 
 template <class Config>
@@ -146,6 +160,7 @@ void ask_one(Rules& rules, const Config& c) {
   rules.ask(c.receiver.error_model == ErrorModel::kDsss, "error_model", "must be dsss");
   ask_mcs(rules, c);
   ask_aggregation(rules, c);
+  ask_error_table(rules, c.error_table, c.modulation);
 }
 
 void ask_one(Rules& rules, const DiskConfig& c) {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "sim/scenario/error_table_keys.h"
 #include "sim/scenario/queue_keys.h"
 #include "sim/scenario/radio_keys.h"
 
@@ -132,6 +133,7 @@ inline void ofdm_keys(Fields& io, radio::Ieee80211gConfig& c) {
              "and signal extension included, as in ns-3.",
              "mpdu"},
             kBitsAtRisk, c.bits_at_risk);
+  error_table_key(io, c.error_table);
   io.quantity(
       {"protection_rate", "Rate of the frames that protect: 1, 2, 5.5 or 11 Mb/s.", "1 Mb/s"},
       "b/s", kBitRate, c.protection_rate);

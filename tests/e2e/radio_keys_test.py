@@ -328,6 +328,12 @@ class RadioKeys(Case):
         self.falls("queue_limit", [5, 20], lambda run: run.ended("queue full"), stations=burst)
         self.rises("msdu_lifetime", ["none", "10 ms"], lambda run: run.ended("expired"), stations=burst)
 
+    def test_error_table(self):
+        station = [(0, "pattern: periodic, rate: 50 Hz, phase: 0 s, to: b, size: 500", ""), (10, None, "")]
+        rows = '["HT7,500,0,1", "HT7,500,1,{}"]'.format
+        self.rises("error_table", [rows(0), rows(0.5), rows(1)], Run.frames, stations=station,
+                   radio=("profile: ieee80211n", "aggregation: {max_ampdu: 0}"))
+
     def test_queues(self):
         radio = ("profile: ieee80211b", "queues: {per: station}")
         self.rises("queues: {per: {}}", ["radio", "station"],

@@ -107,7 +107,8 @@ double McsMode::header_success(double sinr, double share) const {
 }
 
 double McsMode::success(double sinr, double bits) const {
-  return ofdm_success_probability(sinr, coding_, bits);
+  return options_.curve ? options_.curve->success(sinr, bits)
+                        : ofdm_success_probability(sinr, coding_, bits);
 }
 
 }  // namespace sim::radio

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "sim/radio/phy/coding.h"
+#include "sim/radio/phy/error_table.h"
 #include "sim/radio/phy/phy_mode.h"
 #include "sim/radio/radio_config.h"
 
@@ -24,6 +27,7 @@ class McsMode : public PhyMode {
     BitsAtRisk at_risk = BitsAtRisk::kMpdu;
     bool has_extension = true;  ///< In 2.4 GHz: 6 us of signal extension after the last symbol.
     PpduTimes times = PpduTimes::kStandard;
+    std::shared_ptr<const ErrorCurve> curve{};  ///< Null: ofdm_success_probability().
   };
 
   hal::BitsPerSecond reference_rate() const final;

@@ -53,10 +53,12 @@ void ModeSet::choose_basic(const DcfConfig& config) {
 /// DSSS does not exist in 5 GHz.
 void ModeSet::add_ofdm(const Ieee80211gConfig& config) {
   const bool is_erp = !is_5ghz(config.phy.channel);
+  OfdmMode::Options options{.at_risk = config.bits_at_risk, .is_erp = is_erp};
+  ModeId id{.modulation = ModulationClass::kOfdm};
   for (const double rate : kOfdmRates) {
-    modes_.push_back(std::make_unique<OfdmMode>(
-        hal::BitsPerSecond{rate},
-        OfdmMode::Options{.at_risk = config.bits_at_risk, .is_erp = is_erp}));
+    options.curve = curve_of(config.error_table, id);
+    modes_.push_back(std::make_unique<OfdmMode>(hal::BitsPerSecond{rate}, options));
+    ++id.mcs;
   }
   if (is_erp) add_dsss(config);
 }
@@ -64,12 +66,13 @@ void ModeSet::add_ofdm(const Ieee80211gConfig& config) {
 /// The modes for all receivers: of each class up to the station's own, up to its width, streams and
 /// MCS, with the guard interval that nearest() gives.
 void ModeSet::add_mcs(const HtConfig& config) {
-  const McsMode::Options options{.at_risk = config.bits_at_risk,
-                                 .has_extension = !is_5ghz(config.phy.channel),
-                                 .times = config.mcs.times};
+  McsMode::Options options{.at_risk = config.bits_at_risk,
+                           .has_extension = !is_5ghz(config.phy.channel),
+                           .times = config.mcs.times};
   const ModeId most{config.modulation, config.mcs.mcs, config.mcs.streams, config.mcs.width,
                     config.mcs.guard};
   for (const ModeId& id : modes_up_to(most, config.phy.channel)) {
+    options.curve = curve_of(config.error_table, id);
     modes_.push_back(make_mcs_mode(id, options));
   }
 }

@@ -73,7 +73,8 @@ double OfdmMode::header_success(double sinr, double share) const {
 }
 
 double OfdmMode::success(double sinr, double bits) const {
-  return ofdm_success_probability(sinr, coding_, bits);
+  return options_.curve ? options_.curve->success(sinr, bits)
+                        : ofdm_success_probability(sinr, coding_, bits);
 }
 
 }  // namespace sim::radio

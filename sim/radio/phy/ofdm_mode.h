@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "sim/radio/phy/coding.h"
+#include "sim/radio/phy/error_table.h"
 #include "sim/radio/phy/phy_mode.h"
 #include "sim/radio/radio_config.h"
 
@@ -18,7 +21,8 @@ class OfdmMode final : public PhyMode {
  public:
   struct Options {
     BitsAtRisk at_risk = BitsAtRisk::kMpdu;
-    bool is_erp = true;  ///< In 2.4 GHz.
+    bool is_erp = true;                         ///< In 2.4 GHz.
+    std::shared_ptr<const ErrorCurve> curve{};  ///< Null: ofdm_success_probability().
   };
   /// @pre rate is 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s.
   OfdmMode(hal::BitsPerSecond rate, const Options& options);
