@@ -11,6 +11,7 @@
 #include "results/report/paper.h"
 #include "results/report/plot.h"
 #include "results/report/relay_sums.h"
+#include "results/report/report_page_queues.h"
 #include "results/report/report_sections.h"
 #include "results/report/svg.h"
 
@@ -204,19 +205,6 @@ Json air_json(const Group& group) {
   return json;
 }
 
-Json relays_json(const Group& group) {
-  Json relays = Json::array();
-  for (const RelaySums& one : relay_sums(group)) {
-    relays.push_back({{"access_point", one.access_point},
-                      {"destination", one.destination},
-                      {"verdicts", one.verdicts},
-                      {"queued", one.queued},
-                      {"most", one.most},
-                      {"waited_ns", one.waited_ns}});
-  }
-  return relays;
-}
-
 Json sample_losses_json(const Group& group) {
   Json losses = Json::array();
   for (const auto& [key, count] : sample_loss_sums(group)) {
@@ -249,6 +237,7 @@ Json to_json(const Group& group) {
   json["air"] = air_json(group);
   json["sample_losses"] = sample_losses_json(group);
   json["relays"] = relays_json(group);
+  json["queues"] = queues_json(group);
   json["discovery"] = discovery_json(group);
   json["delay"] = delay_json(group);
   return json;

@@ -360,6 +360,30 @@ class Team(PageCase):
         self.assertNotRegex(" ".join(words(self.document.root)), PAPERS_WORDS)
 
 
+class Queues(PageCase):
+    """Bulk and alarms through one relay, with a queue for each receiver and access category."""
+
+    def test_each_queue_has_a_row_with_its_numbers(self):
+        self.run_baraka(ROOT / "tests/e2e/priorities.yaml", "--controllers", "in-process", "--until", 3,
+                        "--set", "radio.queues={per: station, limit: 15}", "--set", "priorities={alarm: voice}")
+        page = self.folder / "report.html"
+        self.report(page, self.out)
+        self.document = Document(chromium(self.folder, page, "--dump-dom"))
+        found = self.query(
+            "SELECT a.name, ifnull(r.name, 'everyone'), category, frames, waiting, most, most_bytes, waited_ns, "
+            "(SELECT ifnull(sum(count), 0) FROM station_queue_drops d WHERE d.agent = q.agent AND "
+            "d.receiver = q.receiver AND d.category = q.category AND verdict = 'queue full') "
+            "FROM station_queues q JOIN agents a USING (agent) LEFT JOIN agents r ON r.agent = receiver "
+            "ORDER BY q.agent, receiver, category")
+        self.assertGreater(len(found), 3)
+        self.assertGreater(sum(row[8] for row in found), 0)
+        rows = self.files("queues")["queues.csv"]
+        self.assertEqual([row[1:10] for row in rows], [[str(cell) for cell in row] for row in found])
+        body = list(self.document.section("queues").all("tr"))[1:]
+        self.assertEqual([[cell.text for cell in row.children][:3] for row in body],
+                         [list(row[:3]) for row in found])
+
+
 if __name__ == "__main__":
     if not (BIN / "report_page.html").exists():
         print("skipped: the report page is not built; ./setup report_page installs npm and builds it")

@@ -1,6 +1,6 @@
 import { select } from "d3-selection";
 import { air } from "./air.js";
-import { relays } from "./relays.js";
+import { queues, relays } from "./queues.js";
 import { experiment } from "./experiment.js";
 import { losses } from "./losses.js";
 import { network } from "./network.js";
@@ -115,6 +115,7 @@ function draw(figures) {
   add(losses, (g) => g.verdicts.some((row) => row.addressed && row.count));
   add(air, (g) => g.air.kinds.length);
   add(relays, (g) => g.relays.length);
+  add(queues, (g) => g.queues.length);
   add((shown) => times("discovery", fig(13, "Time to discover a route"), "time to discover a route",
     "Searches that found a route.", shown, figures), (g) => g.discovery.quantiles);
   add((shown) => times("delay", fig(14, "End-to-end delay"), "end-to-end delay",

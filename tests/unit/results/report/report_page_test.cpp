@@ -71,6 +71,20 @@ INSERT INTO air_seconds VALUES (0,'user','DATA',5), (0,'user','DATA_FRAG',6), (0
   EXPECT_EQ(air["kinds"][0]["airtime_ns"], 16000000);
 }
 
+TEST_F(ReportPageTest, HasTheQueuesOfAllRuns) {
+  for (const char* const run : {"a", "b"}) {
+    add(run, run_sql("ideal", run[0], 1000) + R"sql(
+INSERT INTO station_queues VALUES (1,2,'VO',20,3,5,700,40000000), (1,65535,'BE',1,0,1,9,0);
+INSERT INTO station_queue_drops VALUES (1,2,'VO','expired',4), (1,2,'VO','queue full',6);
+)sql");
+  }
+  EXPECT_EQ(figures()["groups"][0]["queues"], Json::parse(R"([
+    {"agent": "m0", "receiver": "m1", "category": "VO", "frames": 40, "waiting": 6, "most": 5,
+     "most_bytes": 700, "waited_ns": 80000000, "drops": {"expired": 8, "queue full": 12}},
+    {"agent": "m0", "receiver": "everyone", "category": "BE", "frames": 2, "waiting": 0, "most": 1,
+     "most_bytes": 9, "waited_ns": 0, "drops": {}}])"));
+}
+
 TEST_F(ReportPageTest, ShowsNodesLinksAndWallsAsTheyStood) {
   add("a", run_sql("ideal", 1, 1000));
   const Json group = figures()["groups"][0];
