@@ -27,7 +27,7 @@ namespace sim::scenario {
 
 namespace {
 
-void note_priorities(Mapping in, Scenario& scenario) {
+void note_priorities(const Mapping& in, Scenario& scenario) {
   for (const auto& [topic, priority] : scenario.simulation.routing.priorities) {
     scenario.priority_places[topic] = in.place(topic);
   }

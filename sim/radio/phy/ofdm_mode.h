@@ -21,7 +21,7 @@ class OfdmMode final : public PhyMode {
  public:
   struct Options {
     BitsAtRisk at_risk = BitsAtRisk::kMpdu;
-    bool is_erp = true;  ///< In 2.4 GHz.
+    bool is_erp = true;                         ///< In 2.4 GHz.
     std::shared_ptr<const ErrorCurve> curve{};  ///< Null: ofdm_success_probability().
   };
   /// @pre rate is 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s.

@@ -159,7 +159,8 @@ inline std::vector<PeerCell> cells(const std::string& file,
 /// in 2.4 GHz, where an EIFS is as long as several frames. Where no station synchronises to one of
 /// two colliding frames (preamble_db 20), so that none arises, that cell is within 1.5 %, too. Of
 /// 69 waits replayed from ns-3.37's traces 40 fit an EIFS that a right frame does not end, 10 one
-/// that it ends, as IEEE Std 802.11-2020, 10.3.2.3.7 has it and ours does, and 19 neither.
+/// that it ends, as IEEE Std 802.11-2020, 10.3.2.3.7 has it and ours does, and 19 neither: its
+/// timer is not set anew, and where it is (ht_restart_ns3.csv), that cell is within 1.5 %, too.
 inline double tolerance_of(const PeerCell& cell) {
   if (cell.is_alone()) return 0.005;
   const bool has_eifs = column(cell.row, "preamble_db", "4") == "4";
@@ -168,13 +169,16 @@ inline double tolerance_of(const PeerCell& cell) {
 }
 
 /// Compares the mean goodput with that of ns-3.37.
-inline void expect_goodput_of_the_peer(const PeerCell& cell) {
+inline void expect_goodput_of_the_peer(const PeerCell& cell, double tolerance) {
   const std::vector<Served> runs =
       runs_of(cell.row, cell.is_alone() ? 2 : 5, std::chrono::seconds{3});
   const double ours = mean_of(values_of(runs, &Served::mbps)), theirs = mean_of(cell.mbps);
   testing::Test::RecordProperty("mbps", std::to_string(ours));
   testing::Test::RecordProperty("theirs", std::to_string(theirs));
-  EXPECT_NEAR(ours, theirs, tolerance_of(cell) * theirs);
+  EXPECT_NEAR(ours, theirs, tolerance * theirs);
+}
+inline void expect_goodput_of_the_peer(const PeerCell& cell) {
+  expect_goodput_of_the_peer(cell, tolerance_of(cell));
 }
 
 /// Several senders of A-MPDUs, whose goodput spreads: the 95 % interval of the difference from

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The runs of {vht_he,ht_ampdu,edca_ht,edca_eifs}_ns3.csv, one command a line; in the folder of the peer programs:
+# The runs of {vht_he,ht_ampdu,ht_restart,edca_ht,edca_eifs}_ns3.csv, one command a line; in the folder of the peer programs:
 #   sh qos_cells.sh vht_he | xargs -P 2 -I{} sh -c '{}'
 # A station alone needs one seed, several need ten; with 20, MSDUs that wait in reorder buffers when the
 # measurement begins count, unless it begins late. At 5 m, neighbours do not decode MCS 11 in 80 MHz.
@@ -86,6 +86,9 @@ edca_ht() {
     several "$n" --txop_vo=0
   done
 }
+
+# The cell of short frames with an EIFS, which differs most.
+ht_restart() { several --phy=n --band=2.4 --mcs=7 --be=5 --seconds=3 --size=200 --restart; }
 
 # The A-MPDUs of edca_ht without what ns-3.37 does to EIFS and to MPDUs behind one that was given up.
 edca_eifs() {

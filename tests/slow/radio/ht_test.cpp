@@ -25,6 +25,18 @@ INSTANTIATE_TEST_SUITE_P(MoreHt, Mcs, testing::ValuesIn(cells("ht_more_ns3.csv",
 INSTANTIATE_TEST_SUITE_P(VhtHe, Mcs, testing::ValuesIn(cells("vht_he_ns3.csv", is_single)),
                          [](const auto& c) { return name_of_cell(c.param.row); });
 
+class RestartedTimer : public testing::TestWithParam<PeerCell> {};
+
+// Short frames at the highest rate in 2.4 GHz: what tolerance_of() allows for is due to this timer.
+TEST_P(RestartedTimer, BringsThePeerAsNearAsOtherCells) {
+  expect_goodput_of_the_peer(GetParam(), 0.015);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ht, RestartedTimer,
+                         testing::ValuesIn(cells("ht_restart_ns3.csv",
+                                                 [](const PeerCell&) { return true; })),
+                         [](const auto& c) { return name_of_cell(c.param.row); });
+
 class AmpduCell : public testing::TestWithParam<PeerCell> {};
 
 TEST_P(AmpduCell, HasTheGoodputOfThePeer) { expect_interval_of_the_peer(GetParam(), 10s); }
