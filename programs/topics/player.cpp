@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <thread>
 #include <vector>
@@ -56,20 +57,21 @@ int play_plan(const Plan& plan, const MakeParticipant& make, const sigset_t& end
     journal.add_written(topic.name);
     writes.push_back(participant->write(topic, largest(topic)));
   }
+  const Flows flows(plan, start + plan.begin + recording_shift(plan), journal, ending);
   for (std::size_t i = 0; i < writes.size(); ++i) {
     threads.emplace_back([&, i] {
       play_topic(Schedule(plan, plan.writes[i]), start + plan.begin, plan.writes[i].name, writes[i],
                  {journal, ending});
     });
   }
-  const Flows flows(plan, start + plan.begin + recording_shift(plan), journal, ending);
   int signal = 0;
   sigwait(&end_signals, &signal);
   const bool is_written = journal.close();
+  if (!is_written) std::fprintf(stderr, "the journal cannot be written\n");
+  if (signal == SIGTERM) std::_Exit(is_written ? EXIT_SUCCESS : EXIT_FAILURE);
   ending.end();
   for (std::thread& thread : threads) thread.join();
-  if (!is_written) std::fprintf(stderr, "the journal cannot be written\n");
-  return is_written ? 0 : 1;
+  return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace

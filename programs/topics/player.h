@@ -27,8 +27,10 @@ using MakeParticipant =
     std::function<std::unique_ptr<Participant>(const Plan& plan, Journal& journal)>;
 
 /// `main` of a player: reads the plan that its only argument names, plays it until SIGTERM or
-/// SIGINT, writes the journal. Each topic has a thread: a write that blocks delays the samples of
-/// its topic, which follow as soon as it returns, and no others. Returns the exit status.
+/// SIGINT, writes the journal. After SIGINT the participant takes leave of the others, which may
+/// take some seconds; SIGTERM ends the program at once. Each topic has a thread: a write that
+/// blocks delays the samples of its topic, which follow as soon as it returns, and no others.
+/// Returns the exit status.
 int play(int argc, char** argv, const MakeParticipant& make);
 
 }  // namespace programs::topics

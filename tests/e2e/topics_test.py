@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import shutil
+import socket
 import statistics
 import subprocess
 import sys
@@ -308,6 +309,18 @@ class Topics(Case):
                 done = subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, status, done.stderr)
                 self.assertIn(said, done.stderr)
+
+    def test_a_port_that_is_taken_is_named(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+            taken.bind(("0.0.0.0", 0))
+            port = taken.getsockname()[1]
+            (self.folder / "plan.json").write_text(json.dumps({
+                "name": "a", "domain": 0, "seed": 1, "begin_ns": 0, "journal": str(self.folder / "journal.json"), "reads": [],
+                "writes": [], "flows": [], "ports": [port]}))
+            done = subprocess.run([f"{os.environ['BARAKA_BIN']}/baraka-topics-cyclonedds", self.folder / "plan.json"],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(f"UDP port {port}: Address already in use", done.stderr)
 
     def test_a_profile_that_the_vendor_refuses_fails_the_run(self):
         (self.folder / "bad.xml").write_text("<CycloneDDS><Domain><Nonsense>1</Nonsense></Domain></CycloneDDS>")
