@@ -4,7 +4,8 @@
  *   ros_endpoints DOMAIN KIND,TYPE,TOPIC,RELIABILITY,DURABILITY[,DEADLINE] ...   lines of JSON, until killed
  *
  * KIND: reader; writer, which writes zeros ten times a second; silent, a writer that writes nothing.
- * RELIABILITY: reliable or best_effort. DURABILITY: volatile or transient_local. DEADLINE: ms. Endpoints are numbered from 0 in lines of these forms:
+ * RELIABILITY: reliable or best_effort. DURABILITY: volatile or transient_local. DEADLINE: ms. Endpoints
+ * are numbered from 0 in lines of these forms:
  *   {"endpoint": 0, "peer": "GUID", "participant": "GUID", "type": "…", "reliable": true, "kept": false}
  *   {"endpoint": 0, "incompatible": 1, "policy": 11}     by the number of the policy (OMG DDS 1.4, 2.3.3)
  *   {"endpoint": 0, "written": NS, …}                    a sample, with the time at which it was written
