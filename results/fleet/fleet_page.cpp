@@ -37,7 +37,7 @@ std::string table(const Cells& cells, const char* look = "") {
 }
 
 /// One quantity of all topics against the number of robots.
-struct Quantity {
+struct CurveKind {
   const char* name;
   const char* title;
   const char* unit;
@@ -48,11 +48,11 @@ struct Quantity {
 
 constexpr auto kTime = statistics::Support::Kind::kNotNegative;
 constexpr std::array kQuantities = {
-    Quantity{"delivered", "delivered samples", "%", &SampleAnswer::delivered, 100,
-             statistics::Support::Kind::kShare},
-    Quantity{"p95", "latency, 95 % quantile", "ms", &SampleAnswer::p95, 1000, kTime},
-    Quantity{"age", "age of the newest sample, in 95 % of the time", "ms", &SampleAnswer::age, 1000,
-             kTime}};
+    CurveKind{"delivered", "delivered samples", "%", &SampleAnswer::delivered, 100,
+              statistics::Support::Kind::kShare},
+    CurveKind{"p95", "latency, 95 % quantile", "ms", &SampleAnswer::p95, 1000, kTime},
+    CurveKind{"age", "age of the newest sample, in 95 % of the time", "ms", &SampleAnswer::age,
+              1000, kTime}};
 
 report::Plot::Mark mark_of(const CaseAnswer& one, const Estimate& value, double factor) {
   report::Plot::Mark mark;
@@ -66,7 +66,7 @@ report::Plot::Mark mark_of(const CaseAnswer& one, const Estimate& value, double 
   return mark;
 }
 
-std::string figure(const FleetLine& line, const Quantity& quantity) {
+std::string figure(const FleetLine& line, const CurveKind& quantity) {
   report::Plot plot;
   plot.name = quantity.name;
   plot.title = quantity.title;
@@ -127,7 +127,7 @@ std::string fleet_page(const FleetFile& fleet, const std::vector<FleetLine>& lin
   for (const FleetLine& line : lines) {
     const std::string words = words_of(fleet, {line.radio, line.site, line.profile});
     text += fmt::format("<h2>{}</h2>\n", words.empty() ? "Topics" : escaped(words));
-    for (const Quantity& quantity : kQuantities) text += figure(line, quantity);
+    for (const CurveKind& quantity : kQuantities) text += figure(line, quantity);
     text += table(topic_cells(line, Intervals::kShown)) + table(air_cells(line, Intervals::kShown));
   }
   return text + "</body></html>\n";

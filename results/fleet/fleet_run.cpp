@@ -29,7 +29,7 @@ std::string name_at(const AgentNames& names, std::int64_t agent) {
 
 /// By topic, writing and reading agent; several writers of an agent on one topic are one.
 using PairKey = std::tuple<std::string, std::string, std::string>;
-using Pairs = std::map<PairKey, Pair>;
+using Pairs = std::map<PairKey, SamplePair>;
 
 /// What the players of `topics` were told, and how much they wrote: pairs of which perhaps nothing
 /// was heard on the air.
@@ -40,7 +40,7 @@ void add_planned_pairs(const std::filesystem::path& folder, const AgentNames& na
     for (const auto& [topic, rate] : writer.writes) {
       for (const PlayedTopics& reader : players) {
         if (reader.agent == writer.agent || !reader.reads.contains(topic)) continue;
-        Pair& pair = pairs[{topic, writer.agent, reader.agent}];
+        SamplePair& pair = pairs[{topic, writer.agent, reader.agent}];
         std::tie(pair.topic, pair.writer, pair.reader) =
             std::tie(topic, writer.agent, reader.agent);
         pair.rate = rate;
@@ -57,7 +57,8 @@ Pairs announced_pairs(RunReader& reader, const AgentNames& names) {
       "ON r.topic = w.topic AND r.type = w.type AND r.agent <> w.agent "
       "WHERE w.kind = 'writer' AND r.kind = 'reader'");
   while (found.next()) {
-    Pair pair{found.text(0), name_at(names, found.integer(1)), name_at(names, found.integer(2))};
+    SamplePair pair{found.text(0), name_at(names, found.integer(1)),
+                    name_at(names, found.integer(2))};
     PairKey key{pair.topic, pair.writer, pair.reader};
     pairs.emplace(std::move(key), std::move(pair));
   }
@@ -82,7 +83,7 @@ Pairs pairs_of(RunReader& reader, const AgentNames& names) {
   while (samples.next()) {
     const PairKey key{samples.text(0), name_at(names, samples.integer(1)),
                       name_at(names, samples.integer(2))};
-    Pair& pair = pairs[key];
+    SamplePair& pair = pairs[key];
     std::tie(pair.topic, pair.writer, pair.reader) = key;
     pair.samples.push_back(fate_in(samples, names));
   }
@@ -186,11 +187,11 @@ FleetRun read_fleet_run(const std::filesystem::path& folder, const FleetFile& fl
   Pairs pairs = pairs_of(reader, names);
   add_planned_pairs(folder, names, run.simulated_s, pairs);
   const Window window{hal::Time{fleet.warm_up}, hal::Time{hal::from_seconds(run.simulated_s)}};
-  std::map<std::string, std::vector<const Pair*>> groups;
+  std::map<std::string, std::vector<const SamplePair*>> groups;
   for (const auto& [key, pair] : pairs) groups[group_of(pair.topic, agents)].push_back(&pair);
   for (const auto& [group, some] : groups) run.topics[group] = measure(some, window);
   for (const Need& need : fleet.needs) {
-    std::vector<const Pair*> some;
+    std::vector<const SamplePair*> some;
     for (const auto& [key, pair] : pairs) {
       if (hal::matches(need.topic, pair.topic) && hal::matches(need.readers, pair.reader)) {
         some.push_back(&pair);

@@ -16,7 +16,7 @@ struct Growth {
 };
 
 /// Appends how the age of a pair grew within the window.
-void add_growth(const Pair& pair, const Window& window, std::vector<Growth>& growth) {
+void add_growth(const SamplePair& pair, const Window& window, std::vector<Growth>& growth) {
   std::vector<const SampleFate*> arrivals;
   for (const SampleFate& one : pair.samples) {
     if (one.left) arrivals.push_back(&one);
@@ -71,7 +71,7 @@ void count(const SampleFate& sample, SampleMeasure& sums) {
 }
 
 /// Counts what was written in the window before the writer knew the reader.
-void count_undiscovered(const Pair& pair, const Window& window, SampleMeasure& sums) {
+void count_undiscovered(const SamplePair& pair, const Window& window, SampleMeasure& sums) {
   if (!pair.rate) return;
   const hal::Time known = pair.samples.empty() ? window.until : pair.samples.front().entered;
   const double late = hal::to_seconds(std::min(known, window.until) - window.from);
@@ -82,7 +82,7 @@ void count_undiscovered(const Pair& pair, const Window& window, SampleMeasure& s
 }
 
 /// When its first sample arrived; nullopt: never.
-std::optional<hal::Time> first_arrival(const Pair& pair) {
+std::optional<hal::Time> first_arrival(const SamplePair& pair) {
   std::optional<hal::Time> first;
   for (const SampleFate& one : pair.samples) {
     if (one.left && (!first || *one.left < *first)) first = one.left;
@@ -102,11 +102,11 @@ std::optional<double> SampleMeasure::latency(double p) const {
   return statistics::quantile_of_sorted(latencies, p);
 }
 
-SampleMeasure measure(const std::vector<const Pair*>& pairs, const Window& window) {
+SampleMeasure measure(const std::vector<const SamplePair*>& pairs, const Window& window) {
   SampleMeasure sums;
   std::vector<Growth> growth;
   std::optional<hal::Time> last;
-  for (const Pair* pair : pairs) {
+  for (const SamplePair* pair : pairs) {
     ++sums.pairs;
     const auto first = first_arrival(*pair);
     if (!first) ++sums.silent;

@@ -27,7 +27,7 @@ struct SampleFate {
 };
 
 /// All samples from one writer to one agent, in the order in which they were sent.
-struct Pair {
+struct SamplePair {
   std::string topic, writer, reader;  ///< Of agents: their names.
   std::vector<SampleFate> samples{};
   /// Samples per second that the writer writes, if it is known: of a player of `topics`.
@@ -60,6 +60,6 @@ struct SampleMeasure {
 /// The age of a pair is the time since the newest sample that its reader has was sent, and the time
 /// since the start of the run before the first one. `age95` is the age that is not exceeded in 95 %
 /// of the window, over all pairs.
-SampleMeasure measure(const std::vector<const Pair*>& pairs, const Window& window);
+SampleMeasure measure(const std::vector<const SamplePair*>& pairs, const Window& window);
 
 }  // namespace results::fleet

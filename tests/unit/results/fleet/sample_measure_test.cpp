@@ -17,8 +17,8 @@ hal::Time at(milliseconds time) { return hal::Time{time}; }
 
 const Window kWindow{at(seconds{10}), at(seconds{20})};
 
-Pair silent_pair() {
-  Pair pair;
+SamplePair silent_pair() {
+  SamplePair pair;
   pair.topic = "rt/r0/scan";
   pair.writer = "r0";
   pair.reader = "base";
@@ -33,8 +33,8 @@ SampleFate fate(hal::Time entered, hal::Time left) {
 }
 
 /// A sample every second from 5.5 s on that takes 100 ms; the number that do not arrive is given.
-Pair every_second(std::vector<int> lost) {
-  Pair pair = silent_pair();
+SamplePair every_second(std::vector<int> lost) {
+  SamplePair pair = silent_pair();
   for (int i = 0; i < 14; ++i) {
     const hal::Time entered = at(milliseconds{5500 + 1000 * i});
     SampleFate one = fate(entered, entered + milliseconds{100});
@@ -49,7 +49,7 @@ Pair every_second(std::vector<int> lost) {
 }
 
 TEST(SampleMeasure, CountsWhatWasSentInTheWindow) {
-  const Pair pair = every_second({0, 6, 7});  // the first before the window
+  const SamplePair pair = every_second({0, 6, 7});  // the first before the window
   const SampleMeasure found = measure({&pair}, kWindow);
   EXPECT_EQ(found.samples, 9U);  // 10.5 s, 11.5 s, … 18.5 s
   EXPECT_EQ(found.delivered, 7U);
@@ -60,13 +60,13 @@ TEST(SampleMeasure, CountsWhatWasSentInTheWindow) {
 }
 
 TEST(SampleMeasure, WhatIsUnderWayAtTheEndIsLeftOut) {
-  Pair pair = every_second({});
+  SamplePair pair = every_second({});
   pair.samples.back().left.reset();
   EXPECT_EQ(measure({&pair}, kWindow).samples, 8U);
 }
 
 TEST(SampleMeasure, NothingSentIsNoShareAndNothingDeliveredIsNoLatency) {
-  const Pair silent = silent_pair();
+  const SamplePair silent = silent_pair();
   const SampleMeasure found = measure({&silent}, kWindow);
   EXPECT_EQ(found.pairs, 1U);
   EXPECT_EQ(found.silent, 1U);
@@ -77,7 +77,7 @@ TEST(SampleMeasure, NothingSentIsNoShareAndNothingDeliveredIsNoLatency) {
 }
 
 TEST(SampleMeasure, AgeGrowsFromTheLatencyToThatPlusThePeriod) {
-  const Pair pair = every_second({});
+  const SamplePair pair = every_second({});
   // It is uniform from 0.1 s to 1.1 s up to 18.6 s, and then grows to 1.5 s; at 10 s it is 0.5 s.
   const auto below = [](double age) {
     const double periods = 8 * (age - 0.1);               // 10.6 s to 18.6 s
@@ -89,25 +89,25 @@ TEST(SampleMeasure, AgeGrowsFromTheLatencyToThatPlusThePeriod) {
 }
 
 TEST(SampleMeasure, BeforeTheFirstSampleTheAgeIsTheTimeOfTheRun) {
-  const Pair silent = silent_pair();
+  const SamplePair silent = silent_pair();
   EXPECT_NEAR(*measure({&silent}, kWindow).age95, 19.5, 1e-5);  // from 10 s to 20 s
 }
 
 TEST(SampleMeasure, AnOlderSampleThatArrivesLaterDoesNotMakeTheReaderOlder) {
-  Pair pair = silent_pair();
+  SamplePair pair = silent_pair();
   pair.samples = {fate(at(seconds{9}), at(seconds{19})),
                   fate(at(milliseconds{9500}), at(seconds{10}))};
   EXPECT_NEAR(*measure({&pair}, kWindow).age95, 10.0, 1e-5);  // 0.5 s to 10.5 s
 }
 
 TEST(SampleMeasure, CountsWhatWasWrittenBeforeDiscovery) {
-  Pair late = silent_pair();
+  SamplePair late = silent_pair();
   late.rate = 2;  // Hz
   late.samples = {fate(at(seconds{15}), at(seconds{15}))};
   const SampleMeasure found = measure({&late}, kWindow);
   EXPECT_EQ(found.samples, 11U);
   EXPECT_EQ(found.lost, (std::map<std::string, std::uint64_t>{{kUndiscovered, 10}}));
-  Pair never = silent_pair();
+  SamplePair never = silent_pair();
   never.rate = 2;
   EXPECT_EQ(measure({&never}, kWindow).samples, 20U);
   EXPECT_EQ(measure({&never}, kWindow).delivered, 0U);
