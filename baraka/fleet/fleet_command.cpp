@@ -14,6 +14,7 @@
 #include "hal/files/config/shared_folders.h"
 #include "results/campaign/campaign_reader.h"
 #include "results/fleet/fleet_answer.h"
+#include "results/fleet/fleet_csv.h"
 #include "results/fleet/fleet_file.h"
 #include "results/fleet/fleet_page.h"
 #include "results/fleet/fleet_points.h"
@@ -32,6 +33,7 @@ using results::fleet::FleetFile;
 using results::fleet::FleetPlan;
 
 constexpr const char* kPage = "fleet.html";
+constexpr const char* kTable = "fleet.csv";
 
 struct LoadedFleet {
   fs::path path;
@@ -82,15 +84,19 @@ std::vector<results::fleet::FleetLine> answer(const LoadedFleet& fleet, const fs
   return results::fleet::lines_of(std::move(cases));
 }
 
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(fmt::format("{} cannot be written", file.string()));
+}
+
 void write_answer(const LoadedFleet& fleet, const fs::path& folder) {
   const auto lines = answer(fleet, folder);
   fmt::print("\n{}", results::fleet::fleet_text(fleet.file, lines));
-  const fs::path page = folder / kPage;
-  std::ofstream out(page);
-  out << results::fleet::fleet_page(fleet.file, lines);
-  out.close();
-  if (!out) throw std::runtime_error(fmt::format("{} cannot be written", page.string()));
-  fmt::print("page: {}\n", page.string());
+  write(folder / kTable, results::fleet::fleet_csv(fleet.file, lines));
+  write(folder / kPage, results::fleet::fleet_page(fleet.file, lines));
+  fmt::print("page: {}\n", (folder / kPage).string());
 }
 
 fs::path folder_of(const LoadedFleet& fleet, const CampaignOptions& options) {

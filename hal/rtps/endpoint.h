@@ -32,9 +32,9 @@ struct DiscoveredEndpoint {
   std::uint32_t reliability = 0;
   std::uint32_t durability = 0;  ///< 0 volatile, 1 transient local, 2 transient, 3 persistent.
   /// Period within which a writer offers a new sample [ns]; nullopt: not given, or infinite.
-  std::optional<std::int64_t> deadline;
+  std::optional<std::int64_t> deadline{};
   /// HISTORY, which few implementations announce; nullopt: not given.
-  std::optional<DiscoveredHistory> history;
+  std::optional<DiscoveredHistory> history{};
   Octets partitions;                         ///< The encoded sequence of strings; empty: not given.
   Endianness endianness = Endianness::kBig;  ///< Encoding of `partitions`.
 };

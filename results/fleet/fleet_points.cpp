@@ -24,9 +24,10 @@ constexpr std::array kRecord = {
     std::pair{"record.readings", "none"},   std::pair{"record.inputs", "none"},
     std::pair{"record.pose_period", "1 s"}};
 
-/// In which share of these samples a radio has frames to send: the bin from 0.5 on.
-constexpr const char* kQueues =
-    "{add: [{name: radio.*.queue, every: 10 ms, as: histogram, bins: 2, range: [0.5, 1000000]}]}";
+/// How busy the radios are, and whether they have frames to send.
+constexpr const char* kRadios =
+    "{add: [{name: radio.*.queue, every: 50 ms}, {name: radio.*.transmit_share, every: 1 s}, "
+    "{name: radio.*.receive_share, every: 1 s}]}";
 
 /// Ways of placing a group that have a `count`.
 constexpr std::array kLayouts = {"circle", "line", "uniform"};
@@ -66,7 +67,7 @@ DesignPoint point_of(const FleetFile& fleet, const FleetScenario& scenario, cons
   for (const FactorValue& each : fleet.sites[one.site].values) set(point, each);
   set_profile(point, fleet.profiles[one.profile], scenario);
   for (const auto& [key, text] : kRecord) set(point, value(key, text, ""));
-  set(point, value("record.observables", kQueues, ""));
+  set(point, value("record.observables", kRadios, ""));
   return point;
 }
 

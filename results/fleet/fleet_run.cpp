@@ -1,5 +1,7 @@
 #include "results/fleet/fleet_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -111,29 +113,32 @@ void read_air(RunReader& reader, const std::vector<std::string>& agents, FleetRu
   }
 }
 
-void read_use(RunReader& reader, const AgentNames& names, FleetRun& run) {
-  Statement use = reader.query("SELECT agent, transmitting_ns + receiving_ns FROM agent_use");
-  while (use.next()) {
-    const double busy = 1e-9 * static_cast<double>(use.integer(1)) / run.simulated_s;
-    if (busy <= run.busy) continue;
-    run.busy = busy;
-    run.busiest = name_at(names, use.integer(0));
+/// The agent with the greatest sum of a value over the samples in the window, and that sum.
+std::pair<std::string, double> greatest(Statement& sums, const AgentNames& names) {
+  std::pair<std::string, double> most{"", 0};
+  while (sums.next()) {
+    if (sums.real(1) > most.second) most = {name_at(names, sums.integer(0)), sums.real(1)};
   }
+  return most;
 }
 
-/// From the histograms of queue lengths that plan_of() asks for.
-void read_backlogs(RunReader& reader, const AgentNames& names, FleetRun& run) {
-  Statement bins = reader.query(
-      "SELECT o.agent, SUM(CASE WHEN b.lower IS NULL THEN 0 ELSE b.count END), SUM(b.count) "
-      "FROM observables o JOIN observable_bins b ON b.observable = o.observable "
-      "WHERE o.name = 'radio.queue' AND o.keeps = 'histogram' GROUP BY o.agent");
-  while (bins.next()) {
-    const auto all = static_cast<double>(bins.integer(2));
-    const double share = all > 0 ? static_cast<double>(bins.integer(1)) / all : 0;
-    if (share <= run.backlogged) continue;
-    run.backlogged = share;
-    run.most_backlogged = name_at(names, bins.integer(0));
-  }
+/// From the observables that plan_of() asks for. A share stands at the end of its second.
+void read_radios(RunReader& reader, const AgentNames& names, const Window& window, FleetRun& run) {
+  const auto sums_of = [&](std::string_view value, std::string_view domain) {
+    return fmt::format(
+        "SELECT o.agent, SUM({}) FROM observables o JOIN observable_samples s "
+        "ON s.observable = o.observable WHERE o.name {} AND s.at_ns > {} GROUP BY o.agent",
+        value, domain, hal::to_ns(window.from));
+  };
+  Statement shares =
+      reader.query(sums_of("s.value", "IN ('radio.transmit_share', 'radio.receive_share')"));
+  std::tie(run.busiest, run.busy) = greatest(shares, names);
+  Statement seconds = reader.query(sums_of("1.0", "= 'radio.transmit_share'"));
+  if (const double all = greatest(seconds, names).second; all > 0) run.busy /= all;
+  Statement filled = reader.query(sums_of("s.value > 0", "= 'radio.queue'"));
+  std::tie(run.most_backlogged, run.backlogged) = greatest(filled, names);
+  Statement samples = reader.query(sums_of("1.0", "= 'radio.queue'"));
+  if (const double all = greatest(samples, names).second; all > 0) run.backlogged /= all;
 }
 
 /// Whether stations associate with access points.
@@ -200,8 +205,7 @@ FleetRun read_fleet_run(const std::filesystem::path& folder, const FleetFile& fl
     run.needs.push_back(measure(some, window));
   }
   read_air(reader, agents, run);
-  read_use(reader, names, run);
-  read_backlogs(reader, names, run);
+  read_radios(reader, names, window, run);
   read_associations(reader, names, pairs, run);
   return run;
 }

@@ -22,10 +22,10 @@ struct FleetRun {
   std::vector<SampleMeasure> needs;             ///< For each need of the file.
   std::map<std::string, SampleMeasure> topics;  ///< By topic group: "rt/*/scan".
   std::map<std::string, double> air;            ///< See AirUse.
-  /// Share of the time in which the radio that is least idle transmits or finds the medium busy.
+  /// Share of the window in which the radio that is least idle transmits or finds the medium busy.
   double busy = 0;
   std::string busiest;  ///< That radio's agent.
-  /// Share of the time in which the radio that most often has frames to send has some.
+  /// Share of the window in which the radio that most often has frames to send has some.
   double backlogged = 0;
   std::string most_backlogged;     ///< That radio's agent.
   std::uint64_t handovers = 0;     ///< Changes from one access point to another.

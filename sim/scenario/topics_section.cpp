@@ -170,11 +170,31 @@ void topic_keys(Fields& io, TopicItem& c) {
            c.readers);
 }
 
+/// The group of an agent.
+const Group& group_of(const Scenario& scenario, hal::AgentId agent) {
+  return *std::ranges::find_if(scenario.groups, [&](const Group& group) {
+    return std::ranges::count(group.agents, agent) > 0;
+  });
+}
+
+/// Warns of a reader in another DDS domain, which never hears of the writers.
+void check_domain(Mapping& in, const Group& writers, const std::vector<hal::AgentId>& readers,
+                  const Scenario& scenario) {
+  for (const hal::AgentId reader : readers) {
+    const std::uint32_t domain = group_of(scenario, reader).dds.domain;
+    if (domain == writers.dds.domain) continue;
+    in.warn("readers", fmt::format("{} is in DDS domain {}, and the writers are in {}",
+                                   declared(reader, scenario).name, domain, writers.dds.domain));
+    return;
+  }
+}
+
 bool has_network(const Scenario& scenario, hal::AgentId agent) {
   return declared(agent, scenario).network.has_value();
 }
 
-void check_readers(Mapping& in, const TopicItem& item, const Scenario& scenario) {
+void check_readers(Mapping& in, const TopicItem& item, const Group& group,
+                   const Scenario& scenario) {
   if (item.readers.empty()) in.mistake("readers", "no agent reads the topic: give at least one");
   for (const std::string& name : item.readers) {
     const std::vector<hal::AgentId> agents = agents_meant(in, "readers", name, scenario);
@@ -182,6 +202,7 @@ void check_readers(Mapping& in, const TopicItem& item, const Scenario& scenario)
         agents, [&](hal::AgentId agent) { return has_network(scenario, agent); });
     if (!agents.empty() && !is_there)
       in.mistake("readers", fmt::format("'{}' has no network to read by", name));
+    check_domain(in, group, agents, scenario);
   }
 }
 
@@ -241,7 +262,7 @@ void find_topics(Mapping& in, Scenario& scenario) {
     std::vector<Mapping> items = agents.within(group.name).items("topics");
     if (items.size() != group.topics.size()) continue;  // a mistake that was noted before
     for (std::size_t i = 0; i < items.size(); ++i)
-      check_readers(items[i], group.topics[i], scenario);
+      check_readers(items[i], group.topics[i], group, scenario);
     check_names(items, group);
   }
   for (Group& group : scenario.groups) {

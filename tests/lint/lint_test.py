@@ -71,7 +71,7 @@ class IncludeRules(unittest.TestCase):
 
     def test_one_controller_speaks_dds(self):
         self.check("controllers/ros_base/x.cpp", "#include <fastdds/x.hpp>", "")
-        self.check("controllers/x/x.cpp", "#include <fastdds/x.hpp>", "belongs in gateway/guard, gateway/domain, gateway/exchange, gateway/inspection, controllers/ros, controllers/ros_base, controllers/ros_operator only")
+        self.check("controllers/x/x.cpp", "#include <fastdds/x.hpp>", "belongs in gateway/guard, gateway/domain, gateway/exchange, gateway/inspection, controllers/ros, controllers/ros_base, controllers/ros_operator, programs/topics/fastdds only")
 
     def test_folders_that_need_each_other_are_named(self):
         sys.path.insert(0, str(HERE))
