@@ -66,6 +66,7 @@ struct Experiment {
   std::vector<std::string> observables{};
   std::string scenario;        ///< Campaigns only: the first point's resolved scenario, as YAML.
   std::string scenario_place;  ///< Where it comes from, for messages: file, table and row.
+  std::string real_time;       ///< Campaigns in real time only: their pace, "realtime:0.5".
 
   /// "speed 0.3 m/s, range 100 m": the last parts of the keys with their values; of factors that
   /// change together, only the first. "all runs" if nothing is varied.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "results/campaign/campaign_file.h"
 #include "results/campaign/campaign_reader.h"
 #include "results/campaign/schema.h"
 #include "results/report/experiment.h"
@@ -108,6 +109,8 @@ Experiment experiment_of_campaign(const std::filesystem::path& folder) {
   record::Statement keys = reader.query("SELECT key, value FROM campaign");
   while (keys.next()) asked[keys.text(0)] = keys.text(1);
   experiment.requests = sim::scenario::requests_in(asked);
+  if (const std::string& pace = asked["pace"]; pace != campaign::kLockstep)
+    experiment.real_time = pace;
   const auto points = read_points(reader, experiment);
   const Places runs = read_runs(reader, experiment, points);
   read_values(reader, experiment, runs, read_quantities(reader, experiment));

@@ -29,6 +29,8 @@ std::string head_text(const Experiment& experiment) {
   std::string text = fmt::format("Experiment: {} setting{}, {} complete run{}",
                                  experiment.points.size(), experiment.points.size() == 1 ? "" : "s",
                                  experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s");
+  if (!experiment.real_time.empty())
+    text += fmt::format("\n  in real time ({}): runs of equal seeds differ", experiment.real_time);
   for (const std::string& run : experiment.left_out) text += "\n  left out: " + run;
   for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
     if (experiment.factors[i].same_as) continue;

@@ -263,6 +263,7 @@ class InCampaigns(Topics):
         self.assertIn("in real time (realtime): runs of equal seeds differ", finished.out)
         self.assertEqual(self.ask("SELECT value FROM campaign WHERE key = 'pace'"), [("realtime",)])
         self.assertGreater(self.ask("SELECT wall_s FROM runs")[0][0], 4)
+        self.assertIn("in real time (realtime)", Program("baraka", "report", self.out).finish().out)
         refused = self.campaign({**content, "pace": "lockstep"}, status=2)
         self.assertIn("pace: there 'realtime', now 'lockstep'", refused.err)
         for pace, words in ("realtime:2", "F must be from 0.01 to 1"), ("fast", "'fast' is not one of lockstep, realtime"):
