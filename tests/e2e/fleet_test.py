@@ -54,16 +54,15 @@ class Fleets(Case):
         """What it printed of its answer, without what differs from one time to another."""
         return finished.out[finished.out.index("\n\n"):finished.out.index("page: ")]
 
-    def samples(self, point, robots):
-        """(sent, delivered) of the scans in the window, of a point's runs: from their records alone."""
+    def samples(self, point):
+        """(sent, delivered, writers) of the scans in the window, of a point's runs: from their records alone."""
         found = []
         for run in sorted((self.out / "runs").glob(f"p{point:03}-r*/run.sqlite")):
             with contextlib.closing(sqlite3.connect(f"file:{run}?mode=ro", uri=True)) as database:
                 [row] = database.execute(
                     "SELECT COUNT(*), COUNT(left_ns), COUNT(DISTINCT writer) FROM samples JOIN dds_endpoints ON guid = writer"
                     " WHERE topic LIKE 'rt/r%/scan' AND entered_ns >= 2e9 AND NOT (left_ns IS NULL AND verdict IS NULL)").fetchall()
-                self.assertEqual(row[2], robots)
-                found.append(row[:2])
+                found.append(row)
         return found
 
 
@@ -73,11 +72,15 @@ class Answer(Fleets):
         self.assertRegex(finished.out, r"(?m)^2 robots with the scenario's profile\. With 5, \*/scan fails first: (?:delivered|some samples) .*"
                                        r"Cause: the air is full \(the medium at .* has frames to send in ")
         for point, robots in (1, 2), (2, 5):
-            runs = self.samples(point, robots)
+            runs = self.samples(point)
             self.assertEqual(len(runs), 2)
-            share = sum(delivered / sent for sent, delivered in runs) / 2
-            told = re.search(rf"(?m)^{robots} +rt/\*/scan +(>?[\d.]+) %", finished.out).group(1)
-            self.assertAlmostEqual(float(told.lstrip(">")), 100 * share, delta=0.0501)
+            told = float(re.search(rf"(?m)^{robots} +rt/\*/scan +>?([\d.]+) %", finished.out).group(1))
+            share = 50 * sum(delivered / sent for sent, delivered, _ in runs)
+            if all(writers == robots for _, _, writers in runs):
+                self.assertAlmostEqual(told, share, delta=0.0501)
+            else:  # what a writer wrote without knowing its reader is not in the record
+                self.assertEqual(point, 2)
+                self.assertLess(told, share)
         page = pathlib.Path(finished["page"]).read_text()
         self.assertIn("the air is full", page)
         self.assertEqual(page.count("<svg"), 3)
