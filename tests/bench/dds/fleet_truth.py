@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+"""Is the answer of `baraka fleet` from a recording that of the programs themselves?
+
+    cmake --build build/release --target baraka baraka-holder baraka-topics-cyclonedds cyclone_load
+    tests/bench/dds/fleet_truth.py [--fleets N...] [--runs N] [--seconds S] [--out DIR]
+
+Ten fleets: three mixes of topics, 802.11g, n and ac, one and two access points. Of each, one robot's programs (Cyclone DDS, a
+process for each topic) run with a base for `--recorded` seconds, and what the robot's radio sends and receives is captured. Then
+the fleet is asked twice for the same numbers of robots: with the topics of the capture, played by baraka-topics-cyclonedds,
+and with those programs in every robot. Compared are the largest numbers of robots and, where both hold, shares and latencies.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+G, N, AC = "ieee80211g", "ieee80211n", "ieee80211ac"
+# Name, payload in bytes, Hz, reliable.
+MIXES = {"camera": [("odom", 700, 30, True), ("scan", 3000, 10, False), ("image", 30_000, 10, False)],
+         "small": [("odom", 700, 50, True), ("imu", 320, 100, False), ("tf", 1000, 20, True)],
+         "lidar": [("odom", 700, 30, True), ("points", 20_000, 15, True)]}
+# Mix, radio, its keys, access points, numbers of robots. Written before any of them was run.
+FLEETS = [("camera", G, {}, 1, [2, 3, 4, 5]),
+          ("small", G, {}, 1, [4, 6, 8, 10, 12]),
+          ("lidar", G, {}, 1, [2, 3, 4, 5, 6]),
+          ("camera", N, {}, 1, [4, 6, 8, 10, 12]),
+          ("small", N, {}, 1, [6, 8, 10, 12]),
+          ("lidar", N, {}, 1, [4, 6, 8, 10, 12]),
+          ("camera", AC, {"width": "20 MHz", "mcs": 4}, 1, [4, 6, 8, 10, 12]),
+          ("lidar", AC, {"width": "20 MHz", "mcs": 4}, 1, [4, 6, 8, 10, 12]),
+          ("camera", G, {}, 2, [3, 4, 5, 6]),
+          ("lidar", N, {}, 2, [6, 8, 10, 12])]
+NEED = [{"topic": "rt/*", "delivered": "99 %", "p95": "100 ms"}]
+
+
+# Robots are not switched on at the same instant: each program starts within a second, which its agent and the run decide.
+BEGIN = 'sleep $(printf %s "$0" | cksum | awk \'{print ($1 % 1000) / 1000}\'); exec "$@"'
+
+
+def load(options, writer, name, *more):
+    return {"name": name, "command": ["/bin/sh", "-c", BEGIN, "{results} {agent} " + name, str(options.build / "tests/cyclone_load"),
+                                      "--writer", str(writer), "--csv", "{results}/{agent}." + name + ".csv",
+                                      "--patience", "0", "--settle", "0.5", "--for", "1000", *map(str, more)]}
+
+
+def reliability(is_reliable):
+    return ["--reliable", "--keep-last", 10] if is_reliable else ["--best-effort"]
+
+
+def writers(options, mix):
+    return [load(options, i, name, "--publish", f"rt/{name}", "--size", size, "--rate", rate, *reliability(reliable))
+            for i, (name, size, rate, reliable) in enumerate(MIXES[mix])]
+
+
+def readers(options, mix):
+    return [load(options, 50 + i, name, "--subscribe", f"rt/{name}", *reliability(reliable))
+            for i, (name, _, _, reliable) in enumerate(MIXES[mix])]
+
+
+def scenario(fleet, robots, base):
+    """Access points that are 10 m apart, robots around them on a circle, a base beside the first one."""
+    mix, radio, keys, points, _ = fleet
+    names = [f"ap{i}" for i in range(points)]
+    agents = {name: {"name": name, "station": {}, "poses": [{"x": f"{10 * i} m", "y": "0 m"}]} for i, name in enumerate(names)}
+    if points > 1:
+        agents["ap1"]["radio"] = {"channel": 6 if radio in (G, N) else 44}
+    return {"version": 1, "routing": "none", "end": [{"at": "1000 s", "result": "over"}],
+            "radio": {"include": str(ROOT / f"config/radios/{radio}.yaml"), "bss": {"access_point": names}, **keys,
+                      "propagation": [{"model": "log_distance", "exponent": 3}]},
+            "agents": {**agents,
+                       "base": {"name": "base", "station": {}, "poses": [{"x": "-2 m", "y": "1 m"}], "network": {}, **base},
+                       "robots": {"name": "r{}", "station": {}, "network": {}, **robots,
+                                  "circle": {"count": 1, "radius": "6 m", "centre": [f"{5 * (points - 1)} m", "0 m"]}}}}
+
+
+def write(file, content):
+    file.write_text(json.dumps(content, indent=1))
+    return file
+
+
+def baraka(options, *arguments):
+    done = subprocess.run([options.build / "bin/baraka", *map(str, arguments)], capture_output=True, text=True)
+    if done.returncode not in (0, 3):
+        sys.exit(f"baraka {' '.join(map(str, arguments))}: status {done.returncode}\n{done.stdout}\n{done.stderr}")
+    return done.stdout
+
+
+def record(options, fleet, folder):
+    """What one robot's programs send. @return the capture."""
+    file = write(folder / "one.yaml", {**scenario(fleet, {"programs": writers(options, fleet[0])},
+                                                  {"programs": readers(options, fleet[0])}),
+                                       "record": {"air": "robot.pcapng", "air_heard_by": "r0"}})
+    baraka(options, "run", file, "--until", options.recorded, "--out", folder / "one", "--overwrite")
+    return folder / "one" / "robot.pcapng"
+
+
+def ask(options, fleet, folder, kind, robots, base):
+    """The largest number of robots, and the means by number and topic."""
+    write(folder / f"{kind}_scenario.yaml", scenario(fleet, robots, base))
+    file = write(folder / f"{kind}.yaml", {
+        "version": 1, "scenario": f"{kind}_scenario.yaml", "need": NEED, "replications": options.runs,
+        "robots": {"group": "robots", "from": fleet[4][0], "to": fleet[4][-1], "step": fleet[4][1] - fleet[4][0]},
+        "warm_up": "5 s", "until": f"{5 + options.seconds} s"})
+    out = baraka(options, "fleet", file, "--out", folder / kind)
+    with open(folder / kind / "fleet.csv", newline="") as table:
+        rows = list(csv.DictReader(table))
+    held = [int(row["robots"]) for row in rows if row["holds"] == "1"]
+    missed = [int(row["robots"]) for row in rows if row["holds"] == "0"]
+    largest = max((n for n in held if n < min(missed, default=10**9)), default=0)
+    cause = re.search(r"Cause: ([^(]+) \(", out)
+    return largest, {(int(row["robots"]), row["topic"]): row for row in rows}, cause.group(1) if cause else "-"
+
+
+def differences(from_recording, from_programs, largest):
+    """The greatest differences of shares (points) and of median latencies (relative), up to the largest number of both."""
+    shares, medians = [0], [0]
+    for key, one in from_recording.items():
+        other = from_programs.get(key)
+        if other is None or key[0] > largest or not (one["p50_s"] and other["p50_s"]):
+            continue
+        shares.append(100 * abs(float(one["delivered"]) - float(other["delivered"])))
+        medians.append(abs(float(one["p50_s"]) / float(other["p50_s"]) - 1))
+    return max(shares), max(medians)
+
+
+def compared(options, number, folder):
+    fleet = FLEETS[number - 1]
+    capture = record(options, fleet, folder)
+    names = {f"rt/{name}": f"rt/{name}" for name, *_ in MIXES[fleet[0]]}
+    items = [{"from": str(capture), "name": name, "rename": {name: name}, "readers": ["base"], "history": 10} for name in names]
+    played = ask(options, fleet, folder, "recording", {"topics": items}, {})
+    ran = ask(options, fleet, folder, "programs", {"programs": writers(options, fleet[0])},
+              {"programs": readers(options, fleet[0])})
+    both = min(played[0], ran[0])
+    share, median = differences(played[1], ran[1], both)
+    steps = [0, *fleet[4]]
+    off = abs(steps.index(played[0]) - steps.index(ran[0]))
+    return [number, fleet[0], fleet[1], fleet[3], played[0], ran[0], off, f"{share:.1f}", f"{100 * median:.0f} %", played[2], ran[2]]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
+    parser.add_argument("--fleets", type=int, nargs="+", default=range(1, len(FLEETS) + 1))
+    parser.add_argument("--runs", type=int, default=2)
+    parser.add_argument("--seconds", type=float, default=20)
+    parser.add_argument("--recorded", type=float, default=60)
+    parser.add_argument("--out", type=pathlib.Path)
+    options = parser.parse_args()
+    print("| fleet | topics | radio | access points | from the recording | from the programs | numbers off | share, points | median | "
+          "cause, recording | cause, programs |\n" + "|---" * 11 + "|", flush=True)
+    with tempfile.TemporaryDirectory() as temporary:
+        for number in options.fleets:
+            folder = (options.out or pathlib.Path(temporary)) / f"fleet{number}"
+            folder.mkdir(parents=True, exist_ok=True)
+            print("| " + " | ".join(map(str, compared(options, number, folder))) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
