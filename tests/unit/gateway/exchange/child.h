@@ -16,8 +16,7 @@
 /// once this process closes them, though a child of the child may take longer to end.
 class Child {
  public:
-  explicit Child(std::vector<std::string> arguments,
-                 const std::string& program = "/proc/self/exe",
+  explicit Child(std::vector<std::string> arguments, const std::string& program = "/proc/self/exe",
                  const std::vector<int>& inherited = {}) {
     arguments.insert(arguments.begin(), program);
     std::vector<char*> pointers;
