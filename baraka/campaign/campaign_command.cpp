@@ -58,7 +58,7 @@ WantedRuns wanted_by(const CheckedCampaign& campaign, const fs::path& path) {
                                {"until", until_words(file)},
                                {"controllers", in_process ? "in-process" : "spawn"},
                                {"pace", file.pace},
-                               {"programs", program_digests(campaign.controllers)},
+                               {"programs", program_digests(campaign.controllers, campaign.files)},
                                {"file", text_of(path)}},
                     .factors = campaign.table.factors,
                     .points = campaign.table.points,

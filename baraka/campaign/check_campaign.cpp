@@ -10,6 +10,7 @@
 
 #include "baraka/campaign/default_levels.h"
 #include "baraka/campaign/program_digests.h"
+#include "baraka/run/check/check_programs.h"
 #include "baraka/run/check/check_scenario.h"
 #include "baraka/run/check/program_pace.h"
 #include "gateway/process/exit_status.h"
@@ -147,6 +148,12 @@ bool has_inside(const fs::path& file, const std::vector<std::string>& overrides)
   }
 }
 
+void set_labels(CheckedCampaign& campaign) {
+  for (std::size_t i = 0; i < campaign.file.labels.size(); ++i) {
+    campaign.table.points[i].label = campaign.file.labels[i];
+  }
+}
+
 /// Checks the scenario of each point and completes the campaign's table.
 void check_each(CheckedCampaign& campaign, const fs::path& scenario,
                 const std::vector<DesignPoint>& points) {
@@ -164,6 +171,7 @@ void check_each(CheckedCampaign& campaign, const fs::path& scenario,
       warnings.insert(checked.remarks.begin(), checked.remarks.end());
       row.scenario = sim::scenario::resolved_yaml(one);
       campaign.controllers.merge(controllers_of(one));
+      campaign.files.merge(run::check::input_files(one));
       const bool sets_all = points[i].size() == campaign.file.keys.size();
       if (!sets_all) defaults[i] = values_in(one, campaign.file.keys);
     } catch (const ConfigErrors& errors) {
@@ -203,10 +211,9 @@ CheckedCampaign check_points(CampaignFile of, const fs::path& file) {
   campaign.table = results::campaign::factor_table(campaign.file.keys, points);
   if (!points.empty() && has_inside(scenario, overrides_of(points.front(), campaign.seed)))
     campaign.file.controllers = RunControllers::kSpawn;
+  set_labels(campaign);
   check_each(campaign, scenario, points);
-  for (std::size_t i = 0; i < campaign.file.labels.size(); ++i) {
-    campaign.table.points[i].label = campaign.file.labels[i];
-  }
+  set_labels(campaign);  // values of keys at their defaults are in the labels otherwise
   return campaign;
 }
 

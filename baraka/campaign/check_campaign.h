@@ -14,10 +14,11 @@ namespace baraka::campaign {
 /// A campaign file with the results of checking all of its points.
 struct CheckedCampaign {
   results::campaign::CampaignFile file;
-  std::uint64_t seed = 0;                ///< Seed of replication 1.
-  results::campaign::FactorTable table;  ///< The points, with their resolved scenarios.
-  std::set<std::string> controllers;     ///< Controllers of all points.
-  std::vector<std::string> warnings;     ///< Warnings about the points' scenarios, each once.
+  std::uint64_t seed = 0;                 ///< Seed of replication 1.
+  results::campaign::FactorTable table;   ///< The points, with their resolved scenarios.
+  std::set<std::string> controllers;      ///< Controllers of all points.
+  std::set<std::filesystem::path> files;  ///< Other files on which the points' runs depend.
+  std::vector<std::string> warnings;      ///< Warnings about the points' scenarios, each once.
 };
 
 /// Reads a campaign file and checks the scenario of each of its points.

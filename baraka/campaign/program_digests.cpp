@@ -53,11 +53,17 @@ std::set<std::string> controllers_of(const sim::scenario::Scenario& scenario) {
   return names;
 }
 
-std::string program_digests(const std::set<std::string>& controllers) {
+std::string program_digests(const std::set<std::string>& controllers,
+                            const std::set<fs::path>& files) {
   sim::Hash own;
   add_file(own, "/proc/self/exe");
   std::string all = fmt::format("baraka {:016x}", own.value());
   for (const std::string& controller : controllers) all += ", " + digest_of(controller);
+  for (const fs::path& file : files) {
+    sim::Hash hash;
+    add_file(hash, file);
+    all += fmt::format(", {} {:016x}", file.filename().string(), hash.value());
+  }
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include "baraka/campaign/campaign_command.h"
 #include "baraka/campaign/local_engine.h"
 #include "baraka/campaign/program_digests.h"
+#include "baraka/run/check/check_programs.h"
 #include "baraka/run/check/check_scenario.h"
 #include "baraka/run/domain_range.h"
 #include "baraka/run/pace/interrupts.h"
@@ -72,7 +73,8 @@ results::campaign::WantedRuns wanted_of(const run::RunOptions& options,
                      {"replications", std::to_string(*options.replications)},
                      {"seeds", std::string(name_of(results::campaign::Seeds::kCommon))},
                      {"until", run::until_words(options)},
-                     {"programs", program_digests(controllers_of(scenario))},
+                     {"programs",
+                      program_digests(controllers_of(scenario), run::check::input_files(scenario))},
                      {"controllers", std::string(name_of(options.controllers))}},
           .factors = {},
           .points = {std::move(point)},

@@ -215,6 +215,10 @@ const FileKind& recognised(const std::string& path, const std::vector<std::strin
     if (count >= most) best.push_back(&kind);
     most = std::max(most, count);
   }
+  // Many keys are common to campaigns and fleets; only fleets need something.
+  if (std::ranges::find(keys, "need") == keys.end() && best.size() > 1) {
+    std::erase_if(best, [](const FileKind* kind) { return kind->name == "fleet"; });
+  }
   if (best.size() == 1) return *best.front();
   std::vector<std::string> names;
   names.reserve(best.size());

@@ -6,12 +6,16 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <stdexcept>
+#include <utility>
 
 #include "baraka/campaign/campaign_command.h"
 #include "baraka/campaign/campaign_status.h"
 #include "baraka/campaign/check_campaign.h"
 #include "baraka/campaign/slurm_campaign.h"
+#include "hal/files/config/errors.h"
 #include "hal/files/config/shared_folders.h"
+#include "hal/types/terminal_colours.h"
 #include "results/campaign/campaign_reader.h"
 #include "results/fleet/fleet_answer.h"
 #include "results/fleet/fleet_csv.h"
@@ -54,34 +58,58 @@ LoadedFleet load(const std::string& path, const std::vector<std::string>& overri
   return fleet;
 }
 
-/// The runs of each point that have ended well, and how many failed.
-struct PointRuns {
-  std::vector<fs::path> folders;
+/// The runs of a case that have ended well, and how many failed.
+struct CaseRuns {
+  std::vector<results::fleet::FleetRun> runs;
   std::size_t failed = 0;
 };
 
-std::map<int, PointRuns> runs_by_point(const fs::path& folder) {
-  std::map<int, PointRuns> points;
-  for (const RunRow& run : CampaignReader(folder).runs()) {
-    PointRuns& point = points[run.plan.point];
-    if (run.state == RunState::kDone) point.folders.push_back(folder / run.folder);
-    if (run.state == RunState::kFailed) ++point.failed;
+void add_run(const fs::path& folder, const RunRow& run, const FleetFile& fleet, CaseRuns& into) {
+  if (run.state == RunState::kFailed) ++into.failed;
+  if (run.state != RunState::kDone) return;
+  try {
+    into.runs.push_back(results::fleet::read_fleet_run(folder / run.folder, fleet));
+  } catch (const std::runtime_error& e) {
+    hal::print_line(hal::Tone::kWarning, fmt::format("left out: {}", e.what()));
+    ++into.failed;
   }
-  return points;
+}
+
+/// The runs of the folder, by the labels of their points: more points may have been added since.
+std::map<std::string, CaseRuns> runs_by_label(const fs::path& folder, const FleetFile& fleet) {
+  CampaignReader reader(folder);
+  std::map<int, std::string> labels;
+  for (const auto& point : reader.points()) labels[point.point] = point.label;
+  std::map<std::string, CaseRuns> cases;
+  for (const RunRow& run : reader.runs()) {
+    if (run.plan.replication > fleet.replications) continue;
+    add_run(folder, run, fleet, cases[labels[run.plan.point]]);
+  }
+  return cases;
 }
 
 std::vector<results::fleet::FleetLine> answer(const LoadedFleet& fleet, const fs::path& folder) {
-  std::map<int, PointRuns> points = runs_by_point(folder);
+  std::map<std::string, CaseRuns> found = runs_by_label(folder, fleet.file);
   std::vector<results::fleet::CaseAnswer> cases;
   for (std::size_t i = 0; i < fleet.plan.cases.size(); ++i) {
-    const PointRuns& point = points[static_cast<int>(i) + 1];
-    std::vector<results::fleet::FleetRun> runs;
-    for (const fs::path& one : point.folders) {
-      runs.push_back(results::fleet::read_fleet_run(one, fleet.file));
-    }
-    cases.push_back(results::fleet::answer_of(fleet.file, fleet.plan.cases[i], runs, point.failed));
+    const CaseRuns& one = found[fleet.plan.campaign.labels[i]];
+    cases.push_back(
+        results::fleet::answer_of(fleet.file, fleet.plan.cases[i], one.runs, one.failed));
   }
   return results::fleet::lines_of(std::move(cases));
+}
+
+/// @throws ConfigErrors  the folder's runs of a case are of another scenario, or it has none.
+void require_same(const campaign::CheckedCampaign& wanted, const fs::path& folder) {
+  std::map<std::string, std::string> scenarios;
+  for (const auto& point : CampaignReader(folder).points()) scenarios[point.label] = point.scenario;
+  for (const auto& point : wanted.table.points) {
+    const auto found = scenarios.find(point.label);
+    if (found != scenarios.end() && found->second == point.scenario) continue;
+    throw hal::files::config::ConfigErrors({fmt::format(
+        "{}: {} case '{}' of the fleet file; without --status its runs are carried out",
+        folder.string(), found == scenarios.end() ? "has no" : "has another", point.label)});
+  }
 }
 
 void write(const fs::path& file, const std::string& text) {
@@ -109,15 +137,16 @@ int run_fleet(const CampaignOptions& options) {
   const LoadedFleet fleet = load(options.file, options.overrides);
   const fs::path folder = folder_of(fleet, options);
   if (options.cancel) return campaign::cancel_campaign(folder);
+  const campaign::CheckedCampaign checked = campaign::check_points(fleet.plan.campaign, fleet.path);
   if (options.status) {
+    require_same(checked, folder);
     const int status = campaign::print_status(folder);
     write_answer(fleet, folder);
     return status;
   }
   CampaignOptions own = options;
   own.tells_points = false;
-  const int status = campaign::run_checked(campaign::check_points(fleet.plan.campaign, fleet.path),
-                                           fleet.path, own);
+  const int status = campaign::run_checked(checked, fleet.path, own);
   write_answer(fleet, folder);
   return status;
 }

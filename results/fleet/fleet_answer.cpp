@@ -54,6 +54,8 @@ SampleAnswer samples_of(const std::vector<FleetRun>& runs, const MeasureIn& in) 
     answer.silent += measure->silent;
     answer.samples += measure->samples;
     answer.repaired += measure->repaired;
+    answer.under_way += measure->under_way;
+    if (measure->samples == 0 && measure->pairs > 0 && measure->silent == 0) ++answer.unsent;
     for (const auto& [why, count] : measure->lost) answer.lost[why] += count;
   }
   return answer;
@@ -86,10 +88,9 @@ void add_air(const std::vector<FleetRun>& runs, CaseAnswer& answer) {
 }
 
 void add_radios(const std::vector<FleetRun>& runs, CaseAnswer& answer) {
-  answer.busy = estimate(runs, Support::Kind::kShare,
-                         [](const FleetRun& run) { return std::optional(run.busy); });
-  answer.backlogged = estimate(runs, Support::Kind::kShare,
-                               [](const FleetRun& run) { return std::optional(run.backlogged); });
+  answer.busy = estimate(runs, Support::Kind::kShare, [](const FleetRun& run) { return run.busy; });
+  answer.backlogged =
+      estimate(runs, Support::Kind::kShare, [](const FleetRun& run) { return run.backlogged; });
   double most = -1;
   double fullest = -1;
   for (const FleetRun& run : runs) {
@@ -97,10 +98,11 @@ void add_radios(const std::vector<FleetRun>& runs, CaseAnswer& answer) {
     answer.handovers += part * static_cast<double>(run.handovers);
     answer.unassociated += part * static_cast<double>(run.unassociated);
     answer.wall_s += part * run.wall_s;
-    if (run.busy > most) answer.busiest = run.busiest;
-    most = std::max(most, run.busy);
-    if (run.backlogged > fullest) answer.most_backlogged = run.most_backlogged;
-    fullest = std::max(fullest, run.backlogged);
+    if (run.busy.value_or(0) > most) answer.busiest = run.busiest;
+    most = std::max(most, run.busy.value_or(0));
+    if (run.backlogged.value_or(0) > fullest) answer.most_backlogged = run.most_backlogged;
+    fullest = std::max(fullest, run.backlogged.value_or(0));
+    answer.ended_s = std::min(answer.ended_s.value_or(run.simulated_s), run.simulated_s);
   }
 }
 
@@ -111,6 +113,17 @@ double air_with(const FleetLine& line, int robots) {
   const auto found = std::ranges::find_if(
       line.cases, [&](const CaseAnswer& one) { return one.which.robots == robots; });
   return air_of(found == line.cases.end() ? line.cases.front() : *found);
+}
+
+/// Whether the first of two cases that do not hold is nearer to it.
+bool fails_less(const CaseAnswer& a, const CaseAnswer& b) {
+  if (a.misses.size() != b.misses.size()) return a.misses.size() < b.misses.size();
+  const auto delivered = [](const CaseAnswer& one) {
+    double sum = 0;
+    for (const SampleAnswer& need : one.needs) sum += need.delivered ? need.delivered->mean : 0;
+    return sum;
+  };
+  return delivered(a) > delivered(b);
 }
 
 }  // namespace
@@ -130,8 +143,16 @@ const CaseAnswer* FleetLine::first_miss() const {
   return found == cases.end() ? nullptr : &*found;
 }
 
-bool FleetLine::is_complete() const {
-  return std::ranges::all_of(cases, [](const CaseAnswer& one) { return one.runs > 0; });
+std::size_t FleetLine::runs() const {
+  std::size_t sum = 0;
+  for (const CaseAnswer& one : cases) sum += one.runs;
+  return sum;
+}
+
+std::size_t FleetLine::failed() const {
+  std::size_t sum = 0;
+  for (const CaseAnswer& one : cases) sum += one.failed;
+  return sum;
 }
 
 CaseAnswer answer_of(const FleetFile& fleet, const Case& which, const std::vector<FleetRun>& runs,
@@ -166,10 +187,11 @@ std::vector<const FleetLine*> ranked(const std::vector<FleetLine>& lines, std::s
                                      std::size_t site) {
   std::vector<const FleetLine*> some;
   for (const FleetLine& line : lines) {
-    if (line.radio == radio && line.site == site && !line.cases.empty()) some.push_back(&line);
+    if (line.radio == radio && line.site == site && line.runs() > 0) some.push_back(&line);
   }
   std::ranges::stable_sort(some, [](const FleetLine* a, const FleetLine* b) {
     if (count_of(*a) != count_of(*b)) return count_of(*a) > count_of(*b);
+    if (count_of(*a) == 0) return fails_less(a->cases.front(), b->cases.front());
     return air_with(*a, count_of(*a)) < air_with(*b, count_of(*a));
   });
   return some;

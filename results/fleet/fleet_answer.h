@@ -23,8 +23,10 @@ struct Estimate {
 /// Samples of some topics over the runs of a case. nullopt: no run has the quantity.
 struct SampleAnswer {
   std::optional<Estimate> delivered, first_try, p50, p95, p99, age, discovered;
-  std::uint64_t pairs = 0, silent = 0;          ///< Sums over the runs.
-  std::uint64_t samples = 0, repaired = 0;      ///< Likewise.
+  std::uint64_t pairs = 0, silent = 0;      ///< Sums over the runs.
+  std::uint64_t samples = 0, repaired = 0;  ///< Likewise.
+  std::uint64_t under_way = 0;              ///< Likewise.
+  std::size_t unsent = 0;  ///< Runs in which nothing was sent in the window, and all had samples.
   std::map<std::string, std::uint64_t> lost{};  ///< Likewise: see SampleMeasure.
   std::size_t runs = 0;
 };
@@ -62,6 +64,7 @@ struct CaseAnswer {
   std::optional<Estimate> busy, backlogged;    ///< See FleetRun.
   std::string busiest, most_backlogged;
   double handovers = 0, unassociated = 0;  ///< Means over the runs.
+  std::optional<double> ended_s{};         ///< When the shortest run ended.
   double wall_s = 0;                       ///< Mean wall time of a run.
   std::vector<Miss> misses;
   bool holds() const { return runs > 0 && misses.empty(); }
@@ -75,7 +78,8 @@ struct FleetLine {
   /// even the least.
   std::optional<int> largest() const;
   const CaseAnswer* first_miss() const;  ///< Null: every need holds at all numbers.
-  bool is_complete() const;              ///< Every case has a run.
+  std::size_t runs() const;              ///< That ended well.
+  std::size_t failed() const;
 };
 
 /// @param runs  of one case. @param failed  number of its runs that failed.
@@ -85,8 +89,9 @@ CaseAnswer answer_of(const FleetFile& fleet, const Case& which, const std::vecto
 /// The lines of the cases, which have the order of plan_of().
 std::vector<FleetLine> lines_of(std::vector<CaseAnswer> cases);
 
-/// The lines with one radio and site, the best first: more robots, then less use of the air by
-/// DDS and 802.11 at the number that both can have.
+/// The lines with one radio and site that have runs, the best first: more robots, then less use of
+/// the air at that number. Where none holds with the least number: fewer limits missed there, then
+/// more samples delivered.
 std::vector<const FleetLine*> ranked(const std::vector<FleetLine>& lines, std::size_t radio,
                                      std::size_t site);
 

@@ -31,6 +31,8 @@ constexpr std::array kLossKinds = {
     LossKind{"receiver transmitting", Cause::kCollision},
     LossKind{"not matched", Cause::kDiscovery},
     LossKind{kUndiscovered, Cause::kDiscovery},
+    LossKind{kUnwritten, Cause::kQueue},
+    LossKind{kUnderWay, Cause::kQueue},
     LossKind{"no route", Cause::kHandover},
 };
 
@@ -69,13 +71,21 @@ std::pair<Cause, std::string> main_loss(const SampleAnswer& need) {
 }
 
 std::string busy_text(const CaseAnswer& answer) {
-  return fmt::format("the medium at {} is busy {} of the time, {} has frames to send in {}",
-                     answer.busiest, share_text(answer.busy->mean), answer.most_backlogged,
-                     share_text(answer.backlogged->mean));
+  if (!answer.busy) return "";
+  std::string text = answer.busiest.empty()
+                         ? std::string("the medium is idle")
+                         : fmt::format("the medium at {} is busy {} of the time", answer.busiest,
+                                       share_text(answer.busy->mean));
+  if (answer.backlogged && !answer.most_backlogged.empty()) {
+    text += fmt::format(", {} has frames to send in {}", answer.most_backlogged,
+                        share_text(answer.backlogged->mean));
+  }
+  return text;
 }
 
 bool is_full(const CaseAnswer& answer) {
-  return answer.busy && answer.busy->mean >= kBusy && answer.backlogged->mean >= kSaturated;
+  return answer.busy && answer.busy->mean >= kBusy && answer.backlogged &&
+         answer.backlogged->mean >= kSaturated;
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -89,9 +99,11 @@ std::string joined(const std::vector<std::string>& parts) {
 /// Samples that do not arrive.
 void explain_losses(const CaseAnswer& answer, const SampleAnswer& need, Miss& miss) {
   auto [cause, words] = main_loss(need);
-  if (cause == Cause::kHandover && answer.handovers == 0) cause = Cause::kNoAccessPoint;
+  if (cause == Cause::kHandover && answer.handovers == 0) {
+    cause = answer.unassociated > 0 ? Cause::kNoAccessPoint : Cause::kOther;
+  }
   miss.cause = is_full(answer) && cause != Cause::kNoAccessPoint ? Cause::kAirFull : cause;
-  std::vector<std::string> parts{answer.busy ? busy_text(answer) : "", words};
+  std::vector<std::string> parts{busy_text(answer), words};
   if (answer.handovers > 0) {
     parts.push_back(fmt::format("{:.1f} handovers in a run", answer.handovers));
   }
@@ -104,7 +116,7 @@ void explain_delay(const CaseAnswer& answer, const SampleAnswer& need, Miss& mis
   const double repaired =
       need.samples == 0 ? 0
                         : static_cast<double>(need.repaired) / static_cast<double>(need.samples);
-  std::vector<std::string> parts{answer.busy ? busy_text(answer) : ""};
+  std::vector<std::string> parts{busy_text(answer)};
   if (is_full(answer)) {
     miss.cause = Cause::kAirFull;
   } else if (repaired >= kMany) {
@@ -112,7 +124,7 @@ void explain_delay(const CaseAnswer& answer, const SampleAnswer& need, Miss& mis
   } else if (answer.handovers > 0) {
     miss.cause = Cause::kHandover;
     parts.push_back(fmt::format("{:.1f} handovers in a run", answer.handovers));
-  } else {
+  } else if (answer.backlogged && answer.backlogged->mean >= kMany) {
     miss.cause = Cause::kQueue;
   }
   parts.push_back(fmt::format("DDS repaired {} of the samples", share_text(repaired)));
@@ -124,13 +136,21 @@ void explain_silence(const CaseAnswer& answer, const SampleAnswer& need, Miss& m
   if (is_full(answer)) miss.cause = Cause::kAirFull;
   if (answer.unassociated > 0) miss.cause = Cause::kNoAccessPoint;
   miss.evidence = joined(
-      {answer.busy ? busy_text(answer) : "",
-       need.pairs == 0 ? "no writer and reader of it were announced"
-                       : fmt::format("{} of {} pairs of writer and reader never had a sample",
-                                     need.silent, need.pairs),
+      {busy_text(answer),
+       need.pairs == 0    ? "no writer and reader of it were announced"
+       : need.silent == 0 ? ""
+                          : fmt::format("{} of {} pairs of writer and reader never had a sample",
+                                        need.silent, need.pairs),
        answer.unassociated > 0
            ? fmt::format("{:.1f} stations had no access point", answer.unassociated)
            : ""});
+}
+
+/// Readers whose newest sample is old, or latencies: for want of samples, or because they are late.
+void explain_age(const CaseAnswer& answer, const SampleAnswer& need, Miss& miss) {
+  constexpr double kMany = 0.05;
+  const bool is_lossy = need.delivered && need.delivered->mean < 1 - kMany;
+  (is_lossy ? explain_losses : explain_delay)(answer, need, miss);
 }
 
 /// A limit of a need, and what the case has there.
@@ -153,23 +173,29 @@ std::vector<Limit> limits_of(const Need& need, const SampleAnswer& found) {
       {"median latency", seconds(need.p50), &found.p50, false, false, explain_delay},
       {"95 % latency", seconds(need.p95), &found.p95, false, false, explain_delay},
       {"99 % latency", seconds(need.p99), &found.p99, false, false, explain_delay},
-      {"age", seconds(need.age), &found.age, false, false, explain_delay}};
+      {"age", seconds(need.age), &found.age, false, false, explain_age}};
 }
 
 bool is_met(const Limit& limit, const SampleAnswer& found) {
   const std::optional<Estimate>& value = *limit.found;
-  if (!value || value->runs < found.runs) return false;
+  // What was not sent need not arrive: /tf_static, after its first sample.
+  const std::size_t runs = (value ? value->runs : 0) + found.unsent;
+  if (runs < found.runs) return false;
+  if (!value) return true;
   return limit.is_least ? value->mean >= *limit.asked : value->mean <= *limit.asked;
 }
 
-std::string said(const Limit& limit) {
+std::string said(const Limit& limit, const SampleAnswer& found) {
   const auto text = [&](double value) {
     return limit.is_share ? share_text(value) : time_text(value);
   };
   const std::string asked = text(*limit.asked);
   const std::optional<Estimate>& value = *limit.found;
   if (!value) return fmt::format("{}: nothing arrived, asked {}", limit.name, asked);
-  return fmt::format("{} {}, asked {}", limit.name, text(value->mean), asked);
+  const std::size_t without = found.runs - found.unsent - value->runs;
+  return fmt::format("{} {}{}, asked {}", limit.name, text(value->mean),
+                     without == 0 ? "" : fmt::format(", nothing arrived in {} runs", without),
+                     asked);
 }
 
 }  // namespace
@@ -225,7 +251,7 @@ std::vector<Miss> misses_of(const FleetFile& fleet, const CaseAnswer& answer) {
     }
     for (const Limit& limit : limits_of(fleet.needs[i], found)) {
       if (!limit.asked || is_met(limit, found)) continue;
-      misses.push_back({.need = i, .what = said(limit), .evidence = {}});
+      misses.push_back({.need = i, .what = said(limit, found), .evidence = {}});
       limit.explain(answer, found, misses.back());
     }
   }

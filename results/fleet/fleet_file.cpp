@@ -79,8 +79,9 @@ void variants_key(Fields& io, const Key& key, std::vector<Variant>& variants) {
 /// A profile's file: beside the fleet file, otherwise one of those that come with BARAKA.
 fs::path found_profile(Mapping& in, const std::string& file) {
   const std::string place = in.place("file");
-  const fs::path beside = fs::path(place.substr(0, place.find(':'))).parent_path() / file;
-  if (fs::exists(beside)) return fs::absolute(beside).lexically_normal();
+  const std::size_t line = place.rfind(':', place.rfind(':') - 1);
+  const fs::path beside = fs::path(place.substr(0, line)).parent_path() / file;
+  if (fs::is_regular_file(beside)) return fs::absolute(beside).lexically_normal();
   try {
     return fs::absolute(hal::files::config::named_file(file, {"dds"}));
   } catch (const hal::files::config::ConfigErrors& e) {
@@ -127,6 +128,7 @@ void profiles_key(Fields& io, FleetFile& fleet) {
     Mapping& in = *named.reading();
     for (const std::string& name : in.keys()) {
       Variant profile{.name = name, .values = {}, .xml = {}, .vendor = {}};
+      profile.place = in.place(name);
       FieldReader(in).inside({name, each.meaning},
                              [&](Fields& one) { profile_keys(one, profile); });
       fleet.profiles.push_back(std::move(profile));
@@ -146,7 +148,7 @@ void need_keys(Fields& io, Need& need) {
   io.given({"p99", "Longest 99 % quantile of the latency.", "200 ms"}, {0, kLongest}, need.p99);
   io.given({"age",
             "Longest age of the newest sample that a reader has, in 95 % of the time; before the "
-            "first one the age is that of the measured time.",
+            "first one the age is the time since the start of the run.",
             "500 ms"},
            {0, kLongest}, need.age);
   io.given(
@@ -167,7 +169,8 @@ struct Numbers {
 void range_keys(Fields& io, Numbers& numbers) {
   io.needed_count({"from", "Least number of robots.", "2"}, 1, kMostRobots, numbers.from);
   io.needed_count({"to", "Greatest number of robots.", "12"}, 1, kMostRobots, numbers.to);
-  io.count({"step", "Difference from one number to the next.", "2"}, 1, kMostRobots, numbers.step);
+  io.count({"step", "Difference from one number to the next; `to` is tried in any case.", "2"}, 1,
+           kMostRobots, numbers.step);
   if (numbers.from > numbers.to) io.mistake("to", "must not be less than `from`");
 }
 
@@ -181,17 +184,20 @@ void robots_key(Fields& io, FleetFile& fleet) {
                              fleet.group);
               Numbers numbers;
               range_keys(in, numbers);
-              for (int n = numbers.from; n <= numbers.to; n += numbers.step) {
+              for (int n = numbers.from; n < numbers.to; n += numbers.step) {
                 fleet.robots.push_back(n);
               }
+              fleet.robots.push_back(numbers.to);
             });
 }
 
 void run_keys(Fields& io, FleetFile& fleet) {
   io.duration({"warm_up", "Samples sent earlier than this are not counted: discovery.", "10 s"},
               {0, kLongest}, fleet.warm_up);
-  io.duration({"until", "Simulated time at which each run ends.", "70 s"}, {0.001, kLongest},
-              fleet.until);
+  io.duration(
+      {"until", "Simulated time at which each run ends, unless its scenario ends it earlier.",
+       "60 s"},
+      {0.001, kLongest}, fleet.until);
   if (fleet.warm_up >= fleet.until) io.mistake("until", "must be later than `warm_up`");
   io.count({"replications", "Runs of each case, each with another seed.", "5"}, 1, 10'000,
            fleet.replications);

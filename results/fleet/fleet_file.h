@@ -31,6 +31,7 @@ struct Variant {
   std::vector<campaign::FactorValue> values;  ///< Keys of the scenario that it sets.
   std::optional<std::filesystem::path> xml;   ///< Profiles: the middleware's file, if any.
   std::string vendor;                         ///< Profiles: "" as in the scenario.
+  std::string place{};                        ///< Profiles: "file:line:column".
 };
 
 /// A fleet file: a scenario with one robot's worth of traffic, and with how many robots to try it.
@@ -44,7 +45,7 @@ struct FleetFile {
   std::vector<Variant> radios, sites, profiles;  ///< At least one each.
   std::vector<Need> needs;                       ///< At least one.
   hal::Duration warm_up = std::chrono::seconds{10};
-  hal::Duration until = std::chrono::seconds{70};
+  hal::Duration until = std::chrono::seconds{60};
   int replications = 5;
   std::optional<std::uint64_t> seed{};
   std::optional<int> jobs{};

@@ -90,6 +90,28 @@ std::string figure(const FleetLine& line, const CurveKind& quantity) {
   return fmt::format("<figure>{}</figure>\n", report::svg(plot));
 }
 
+/// A text with its line ends, for `pre`.
+std::string preformatted(const std::string& text) {
+  std::string all;
+  for (const char c : text) {
+    if (c == '\n' || c == '\t') {
+      all += c;
+    } else if (c != '\r') {
+      all += escaped(std::string(1, c));
+    }
+  }
+  return all;
+}
+
+/// When the shortest run ended [s]; the file's `until` if there is none.
+double end_of(const FleetFile& fleet, const std::vector<FleetLine>& lines) {
+  double end = hal::to_seconds(fleet.until);
+  for (const FleetLine& line : lines) {
+    for (const CaseAnswer& one : line.cases) end = std::min(end, one.ended_s.value_or(end));
+  }
+  return end;
+}
+
 /// The best profile of each radio and site that has a file, each file once.
 std::string profiles(const FleetFile& fleet, const std::vector<FleetLine>& lines) {
   std::vector<std::size_t> shown;
@@ -103,7 +125,7 @@ std::string profiles(const FleetFile& fleet, const std::vector<FleetLine>& lines
       if (!profile.xml || std::ranges::find(shown, best) != shown.end()) continue;
       shown.push_back(best);
       text += fmt::format("<h2>Profile {}</h2>\n<pre>{}</pre>\n", escaped(profile.name),
-                          escaped(xml_of(profile)));
+                          preformatted(xml_of(profile)));
     }
   }
   return text;
@@ -121,8 +143,9 @@ std::string fleet_page(const FleetFile& fleet, const std::vector<FleetLine>& lin
   }
   text += table(summary_cells(fleet, lines), "words");
   text += fmt::format(
-      "<p>Samples sent from {} s to {} s; means over the runs, with 95 % intervals.</p>\n",
-      hal::to_seconds(fleet.warm_up), hal::to_seconds(fleet.until));
+      "<p>Samples sent from {} s to {} s; means over the runs, with 95 % intervals. What is on the "
+      "air, of the whole runs.</p>\n",
+      hal::to_seconds(fleet.warm_up), end_of(fleet, lines));
   text += profiles(fleet, lines);
   for (const FleetLine& line : lines) {
     const std::string words = words_of(fleet, {line.radio, line.site, line.profile});

@@ -46,13 +46,20 @@ void set(DesignPoint& point, const FactorValue& value) {
   }
 }
 
+/// As a text in single quotes of YAML (1.2.2, 7.3.2).
+std::string quoted(const std::string& text) {
+  std::string all = "'";
+  for (const char c : text) all.append(c == '\'' ? 2 : 1, c);
+  return all + "'";
+}
+
 /// DDS of the players and programs in all agents with a network.
 void set_profile(DesignPoint& point, const Variant& profile, const FleetScenario& scenario) {
   for (const std::string& group : scenario.on_air) {
     const std::string key = fmt::format("agents.{}.dds.", group);
-    if (!profile.vendor.empty()) set(point, value(key + "vendor", profile.vendor, ""));
+    if (!profile.vendor.empty()) set(point, value(key + "vendor", profile.vendor, profile.place));
     if (profile.xml) {
-      set(point, value(key + "profile", fmt::format("'{}'", profile.xml->string()), ""));
+      set(point, value(key + "profile", quoted(profile.xml->string()), profile.place));
     }
   }
   for (const FactorValue& one : profile.values) set(point, one);
@@ -60,14 +67,16 @@ void set_profile(DesignPoint& point, const Variant& profile, const FleetScenario
 
 DesignPoint point_of(const FleetFile& fleet, const FleetScenario& scenario, const Case& one) {
   DesignPoint point;
-  const std::string count = fmt::format("agents.{}.{}.count", fleet.group, scenario.layout);
-  set(point, value(count, std::to_string(one.robots), fleet.scenario_place));
   for (const FactorValue& each : fleet.set) set(point, each);
   for (const FactorValue& each : fleet.radios[one.radio].values) set(point, each);
   for (const FactorValue& each : fleet.sites[one.site].values) set(point, each);
   set_profile(point, fleet.profiles[one.profile], scenario);
-  for (const auto& [key, text] : kRecord) set(point, value(key, text, ""));
-  set(point, value("record.observables", kRadios, ""));
+  for (const auto& [key, text] : kRecord) set(point, value(key, text, fleet.scenario_place));
+  set(point, value("record.observables", kRadios, fleet.scenario_place));
+  // The last one, so that nothing else decides the number.
+  const std::string count = fmt::format("agents.{}.{}.count", fleet.group, scenario.layout);
+  std::erase_if(point, [&](const FactorValue& other) { return other.key == count; });
+  point.push_back(value(count, std::to_string(one.robots), fleet.scenario_place));
   return point;
 }
 
@@ -86,7 +95,9 @@ std::string words_of(const FleetFile& fleet, const Case& one) {
 }
 
 FleetScenario fleet_scenario(const std::filesystem::path& file, const FleetFile& fleet) {
-  auto document = hal::files::config::Document::load(file);
+  std::vector<std::string> overrides;
+  for (const FactorValue& one : fleet.set) overrides.push_back(one.key + "=" + one.yaml);
+  auto document = hal::files::config::Document::load(file, overrides);
   Mapping agents = document.root().mapping({"agents", "Groups of agents.", "{}"});
   FleetScenario scenario;
   for (const std::string& group : agents.keys()) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -39,13 +40,13 @@ void add_planned_pairs(const std::filesystem::path& folder, const AgentNames& na
                        Pairs& pairs) {
   const std::vector<PlayedTopics> players = read_players(folder, names, end_s);
   for (const PlayedTopics& writer : players) {
-    for (const auto& [topic, rate] : writer.writes) {
+    for (const auto& [topic, plan] : writer.writes) {
       for (const PlayedTopics& reader : players) {
         if (reader.agent == writer.agent || !reader.reads.contains(topic)) continue;
         SamplePair& pair = pairs[{topic, writer.agent, reader.agent}];
         std::tie(pair.topic, pair.writer, pair.reader) =
             std::tie(topic, writer.agent, reader.agent);
-        pair.rate = rate;
+        pair.plan = plan;
       }
     }
   }
@@ -132,18 +133,25 @@ void read_radios(RunReader& reader, const AgentNames& names, const Window& windo
   };
   Statement shares =
       reader.query(sums_of("s.value", "IN ('radio.transmit_share', 'radio.receive_share')"));
-  std::tie(run.busiest, run.busy) = greatest(shares, names);
+  const auto [busiest, busy] = greatest(shares, names);
   Statement seconds = reader.query(sums_of("1.0", "= 'radio.transmit_share'"));
-  if (const double all = greatest(seconds, names).second; all > 0) run.busy /= all;
+  if (const double all = greatest(seconds, names).second; all > 0) {
+    run.busy = busy / all;
+    run.busiest = busiest;
+  }
   Statement filled = reader.query(sums_of("s.value > 0", "= 'radio.queue'"));
-  std::tie(run.most_backlogged, run.backlogged) = greatest(filled, names);
+  const auto [most_backlogged, backlogged] = greatest(filled, names);
   Statement samples = reader.query(sums_of("1.0", "= 'radio.queue'"));
-  if (const double all = greatest(samples, names).second; all > 0) run.backlogged /= all;
+  if (const double all = greatest(samples, names).second; all > 0) {
+    run.backlogged = backlogged / all;
+    run.most_backlogged = most_backlogged;
+  }
 }
 
 /// Whether stations associate with access points.
 bool has_access_points(RunReader& reader) {
-  Statement found = reader.query("SELECT key FROM settings WHERE key LIKE '%bss.access_point%'");
+  Statement found = reader.query(
+      "SELECT key FROM settings WHERE key LIKE '%bss.access_point%' AND value <> '[]'");
   return found.next();
 }
 
@@ -186,6 +194,11 @@ FleetRun read_fleet_run(const std::filesystem::path& folder, const FleetFile& fl
   FleetRun run;
   run.simulated_s = reader.real("simulated_s").value_or(0);
   run.wall_s = reader.real("wall_s").value_or(0);
+  if (run.simulated_s <= hal::to_seconds(fleet.warm_up)) {
+    throw std::runtime_error(fmt::format("{}: the run ended at {} s, before warm_up, {} s",
+                                         folder.string(), run.simulated_s,
+                                         hal::to_seconds(fleet.warm_up)));
+  }
   const AgentNames names = agent_names(reader);
   std::vector<std::string> agents;
   for (const auto& [agent, name] : names) agents.push_back(name);

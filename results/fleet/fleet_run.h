@@ -23,10 +23,10 @@ struct FleetRun {
   std::map<std::string, SampleMeasure> topics;  ///< By topic group: "rt/*/scan".
   std::map<std::string, double> air;            ///< See AirUse.
   /// Share of the window in which the radio that is least idle transmits or finds the medium busy.
-  double busy = 0;
-  std::string busiest;  ///< That radio's agent.
+  std::optional<double> busy{};  ///< nullopt: the window has no whole second.
+  std::string busiest;           ///< That radio's agent.
   /// Share of the window in which the radio that most often has frames to send has some.
-  double backlogged = 0;
+  std::optional<double> backlogged{};
   std::string most_backlogged;     ///< That radio's agent.
   std::uint64_t handovers = 0;     ///< Changes from one access point to another.
   std::uint64_t unassociated = 0;  ///< Stations that never had an access point.

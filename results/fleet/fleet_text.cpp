@@ -37,12 +37,13 @@ std::string profile_name(const FleetFile& fleet, const FleetLine& line) {
 
 /// What the runner-up loses.
 std::string loss_of(const FleetFile& fleet, const FleetLine& best, const FleetLine& second) {
-  const int ahead = best.largest().value_or(0) - second.largest().value_or(0);
+  if (!best.largest()) return fmt::format("{} does not hold, either", profile_name(fleet, second));
+  const int ahead = *best.largest() - second.largest().value_or(0);
   if (ahead > 0) {
     return fmt::format("{} loses {} {}", profile_name(fleet, second), ahead,
                        ahead == 1 ? "robot" : "robots");
   }
-  const int robots = best.largest().value_or(best.cases.front().which.robots);
+  const int robots = *best.largest();
   const auto air = [robots](const FleetLine& line) {
     const auto found = std::ranges::find_if(
         line.cases, [&](const CaseAnswer& one) { return one.which.robots == robots; });
@@ -53,11 +54,21 @@ std::string loss_of(const FleetFile& fleet, const FleetLine& best, const FleetLi
                      share_text(air(best)));
 }
 
+/// "so far: 4 of 12 runs, 1 failed"; "" if all ended well.
+std::string progress_of(const FleetFile& fleet, const FleetLine& line) {
+  const std::size_t all = line.cases.size() * static_cast<std::size_t>(fleet.replications);
+  if (line.runs() >= all) return "";
+  return fmt::format("so far: {} of {} runs{}", line.runs(), all,
+                     line.failed() == 0 ? "" : fmt::format(", {} failed", line.failed()));
+}
+
 std::string sentence(const FleetFile& fleet, const std::vector<const FleetLine*>& ranking) {
   const FleetLine& best = *ranking.front();
   const std::string where = words_of(fleet, {best.radio, best.site, fleet.profiles.size()});
-  std::string text = fmt::format("{}{} robots with {}.", where.empty() ? "" : where + ": ",
-                                 largest_text(best), profile_name(fleet, best));
+  const std::string progress = progress_of(fleet, best);
+  std::string text = fmt::format("{}{} robots with {}{}.", where.empty() ? "" : where + ": ",
+                                 largest_text(best), profile_name(fleet, best),
+                                 progress.empty() ? "" : fmt::format(" ({})", progress));
   if (const CaseAnswer* const miss = best.first_miss(); miss != nullptr && !miss->misses.empty()) {
     const Miss& first = miss->misses.front();
     text +=
@@ -74,6 +85,7 @@ std::string sentence(const FleetFile& fleet, const std::vector<const FleetLine*>
 
 std::string largest_text(const FleetLine& line) {
   const auto largest = line.largest();
+  if (line.runs() == 0) return "no run";
   if (!largest) {
     return fmt::format("fewer than {}", line.cases.front().which.robots);
   }
@@ -93,7 +105,7 @@ std::vector<std::string> sentences(const FleetFile& fleet, const std::vector<Fle
 }
 
 Cells summary_cells(const FleetFile& fleet, const std::vector<FleetLine>& lines) {
-  Cells cells{{"case", "robots", "breaks at", "topic", "limit", "cause", "evidence"}, {}};
+  Cells cells{{"case", "robots", "breaks at", "topic", "limit", "cause", "evidence", "runs"}, {}};
   for (const FleetLine& line : lines) {
     const std::string words = named(fleet, line);
     std::vector<std::string> row{words.empty() ? "-" : words, largest_text(line)};
@@ -107,6 +119,8 @@ Cells summary_cells(const FleetFile& fleet, const std::vector<FleetLine>& lines)
       row.insert(row.end(), {std::to_string(miss->which.robots), fleet.needs[first.need].topic,
                              first.what, std::string(name(first.cause)), first.evidence});
     }
+    const std::string progress = progress_of(fleet, line);
+    row.push_back(progress.empty() ? std::to_string(line.runs()) : progress);
     cells.rows.push_back(std::move(row));
   }
   return cells;

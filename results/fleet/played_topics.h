@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "results/fleet/sample_measure.h"
+
 namespace results::fleet {
 
 using AgentNames = std::map<std::int64_t, std::string>;  ///< By address.
@@ -14,7 +16,7 @@ using AgentNames = std::map<std::int64_t, std::string>;  ///< By address.
 /// What an agent's player of `topics` was told, and did.
 struct PlayedTopics {
   std::string agent;
-  std::map<std::string, double> writes;  ///< Topics, and their samples per second in this run.
+  std::map<std::string, WriterPlan> writes;  ///< By topic.
   std::set<std::string> reads;
 };
 

@@ -57,28 +57,53 @@ double age_quantile(const std::vector<Growth>& growth, double share) {
   return high;
 }
 
-void count(const SampleFate& sample, SampleMeasure& sums) {
-  if (!sample.left && sample.verdict.empty()) return;  // under way
-  ++sums.samples;
-  if (!sample.left) {
-    ++sums.lost[sample.lost_at.empty() ? sample.verdict
-                                       : fmt::format("{} at {}", sample.verdict, sample.lost_at)];
+void count(const SampleFate& sample, const Window& window, SampleMeasure& sums) {
+  const bool is_under_way = !sample.left && sample.verdict.empty();
+  if (is_under_way && sample.entered + kGrace >= window.until) {
+    ++sums.under_way;
     return;
   }
-  ++sums.delivered;
-  ++(sample.is_repaired ? sums.repaired : sums.first_try);
-  sums.latencies.push_back(hal::to_seconds(*sample.left - sample.entered));
+  ++sums.samples;
+  if (is_under_way) {
+    ++sums.lost[kUnderWay];
+  } else if (!sample.left) {
+    ++sums.lost[sample.lost_at.empty() ? sample.verdict
+                                       : fmt::format("{} at {}", sample.verdict, sample.lost_at)];
+  } else {
+    ++sums.delivered;
+    ++(sample.is_repaired ? sums.repaired : sums.first_try);
+    sums.latencies.push_back(hal::to_seconds(*sample.left - sample.entered));
+  }
 }
 
-/// Counts what was written in the window before the writer knew the reader.
-void count_undiscovered(const SamplePair& pair, const Window& window, SampleMeasure& sums) {
-  if (!pair.rate) return;
-  const hal::Time known = pair.samples.empty() ? window.until : pair.samples.front().entered;
-  const double late = hal::to_seconds(std::min(known, window.until) - window.from);
-  const auto missed = static_cast<std::uint64_t>(std::max(0.0, std::floor(*pair.rate * late)));
+/// Adds the part of `samples`, which are spread evenly from `begin` to `end`, in the window.
+void count_lost(const char* why, double samples, const Window& of, const Window& window,
+                SampleMeasure& sums) {
+  const hal::Time from = std::max(of.from, window.from);
+  const hal::Time until = std::min(of.until, window.until);
+  if (from >= until || of.from >= of.until) return;
+  const double share = hal::to_seconds(until - from) / of.seconds();
+  const auto missed = static_cast<std::uint64_t>(std::round(samples * share));
   if (missed == 0) return;
   sums.samples += missed;
-  sums.lost[kUndiscovered] += missed;
+  sums.lost[why] += missed;
+}
+
+/// Counts what is not in the record, of a player.
+void count_unrecorded(const SamplePair& pair, const Window& window, SampleMeasure& sums) {
+  if (!pair.plan) return;
+  const WriterPlan& plan = *pair.plan;
+  const std::uint64_t recorded = pair.samples.size();
+  if (plan.written > recorded) {
+    const hal::Time known = pair.samples.empty() ? window.until : pair.samples.front().entered;
+    count_lost(kUndiscovered, static_cast<double>(plan.written - recorded), {plan.begin, known},
+               window, sums);
+  }
+  // One that is due at the end may be missing.
+  if (plan.due && *plan.due > plan.written + 1) {
+    count_lost(kUnwritten, static_cast<double>(*plan.due - plan.written),
+               {plan.begin, window.until}, window, sums);
+  }
 }
 
 /// When its first sample arrived; nullopt: never.
@@ -111,9 +136,11 @@ SampleMeasure measure(const std::vector<const SamplePair*>& pairs, const Window&
     const auto first = first_arrival(*pair);
     if (!first) ++sums.silent;
     if (first && (!last || *first > *last)) last = first;
-    count_undiscovered(*pair, window, sums);
+    count_unrecorded(*pair, window, sums);
     for (const SampleFate& sample : pair->samples) {
-      if (sample.entered >= window.from && sample.entered < window.until) count(sample, sums);
+      if (sample.entered >= window.from && sample.entered < window.until) {
+        count(sample, window, sums);
+      }
     }
     add_growth(*pair, window, growth);
   }

@@ -26,24 +26,37 @@ struct SampleFate {
   std::string lost_at{};  ///< The agent at which it was lost; "": not known.
 };
 
+/// What a player of `topics` was told to write, and did.
+struct WriterPlan {
+  hal::Time begin{};          ///< Of publication.
+  std::uint64_t written = 0;  ///< Samples, in the whole run.
+  /// Samples that were due; nullopt: their number is random.
+  std::optional<std::uint64_t> due{};
+};
+
 /// All samples from one writer to one agent, in the order in which they were sent.
 struct SamplePair {
   std::string topic, writer, reader;  ///< Of agents: their names.
   std::vector<SampleFate> samples{};
-  /// Samples per second that the writer writes, if it is known: of a player of `topics`.
-  std::optional<double> rate{};
+  std::optional<WriterPlan> plan{};  ///< If the writer is a player of `topics`.
 };
 
-/// Samples that a writer of known rate wrote in the window before it knew the reader; they are not
-/// in the record.
+/// Samples that a writer wrote before it knew the reader; they are not in the record.
 inline constexpr const char* kUndiscovered = "before discovery";
+/// Samples that a writer could not write in time, because an earlier write waited for room.
+inline constexpr const char* kUnwritten = "not written in time";
+/// Samples that were neither delivered nor lost at the end of the run, though sent before kGrace.
+inline constexpr const char* kUnderWay = "still under way";
+/// Time before the end of the window in which a sample may be under way.
+inline constexpr hal::Duration kGrace = std::chrono::seconds{1};
 
 /// Counts and times of the samples of some pairs in a window.
 struct SampleMeasure {
   std::uint64_t pairs = 0;   ///< Writers and agents with a reader of their topic.
   std::uint64_t silent = 0;  ///< Pairs among these of which no sample arrived in the whole run.
   std::uint64_t samples = 0, delivered = 0, first_try = 0, repaired = 0;
-  /// By verdict and place: "queue full at ap"; and kUndiscovered.
+  std::uint64_t under_way = 0;  ///< Left out of `samples`: sent within kGrace of the end.
+  /// By verdict and place: "queue full at ap"; and the kinds below.
   std::map<std::string, std::uint64_t> lost{};
   std::vector<double> latencies{};  ///< s, ascending.
   std::optional<double> age95{};    ///< s; nullopt: there is no pair.
@@ -55,7 +68,9 @@ struct SampleMeasure {
   std::optional<double> latency(double p) const;  ///< s; nullopt: nothing was delivered.
 };
 
-/// Samples that are neither delivered nor lost at the end of the run are left out.
+/// Samples of the last kGrace that are neither delivered nor lost at the end of the run are left
+/// out. Those of a player that are not in the record count as lost: what it had to write and did
+/// not, spread over its time, and what it wrote before it knew the reader, spread over that time.
 ///
 /// The age of a pair is the time since the newest sample that its reader has was sent, and the time
 /// since the start of the run before the first one. `age95` is the age that is not exceeded in 95 %

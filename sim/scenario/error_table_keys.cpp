@@ -185,7 +185,7 @@ void error_table_key(Fields& io, radio::ErrorTable& table) {
       "relative "
       "to the file in which it stands, on the command line to the working directory. Or a list of "
       "such rows.",
-      "per.csv", "the formula for all modes"};
+      "['OFDM54,500,20,0.5']", "the formula for all modes"};
   io.written_if(!table.empty(), [&](Fields& given) {
     given.own(
         key, {.kind = hal::files::config::Form::Kind::kText},

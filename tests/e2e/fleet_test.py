@@ -121,10 +121,31 @@ class GoingOn(Fleets):
         self.assertEqual(self.tables(self.fleet(FLEET, "--status")), self.tables(whole))
 
     def test_a_narrower_need_takes_no_new_runs(self):
-        self.fleet({**FLEET, "robots": {"group": "robots", "from": 2, "to": 2}})
-        again = self.begin({**FLEET, "robots": {"group": "robots", "from": 2, "to": 2},
-                            "need": [{"topic": "*/scan", "p95": "1 us"}]}, "--status").finish()
+        small = {**FLEET, "robots": {"group": "robots", "from": 2, "to": 2}}
+        self.fleet(small)
+        again = self.begin({**small, "need": [{"topic": "*/scan", "p95": "1 us"}]}, "--status").finish()
         self.assertRegex(again.out, r"fewer than 2 robots .* 95 % latency .*, asked 1 us")
+
+    def test_numbers_that_are_added_later_are_those_of_their_cases(self):
+        content = {**FLEET, "replications": 1, "until": "3 s", "radios": {"slow": {}, "fast": {"radio.data_rate": "54 Mb/s"}},
+                   "robots": {"group": "robots", "from": 1, "to": 1}}
+        more = {**content, "robots": {"group": "robots", "from": 1, "to": 2}}
+        self.fleet(content)
+        self.assertEqual(self.tables(self.fleet(more)), self.tables(self.fleet(more, out=self.folder / "whole")))
+        other = self.begin({**content, "robots": {"group": "robots", "from": 3, "to": 3}}, "--status").finish()
+        self.assertEqual(other.status, 2)
+        self.assertIn("has no case 'slow, 3 robots'", other.err)
+
+    def test_other_xml_under_the_same_name_is_not_the_same_fleet(self):
+        profile = self.folder / "own.xml"
+        profile.write_text((ROOT / "config/dds/cyclone_one_frame.xml").read_text())
+        content = {**FLEET, "replications": 1, "until": "3 s", "robots": {"group": "robots", "from": 1, "to": 1},
+                   "profiles": {"own": {"vendor": "cyclonedds", "file": "own.xml"}}}
+        self.fleet(content)
+        profile.write_text(profile.read_text().replace("1400 B", "60000 B"))
+        refused = self.begin(content).finish()
+        self.assertEqual(refused.status, 2, str(refused))
+        self.assertIn("own.xml", refused.err)
 
 
 class Mistakes(Fleets):

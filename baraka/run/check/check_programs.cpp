@@ -37,6 +37,22 @@ std::filesystem::path file_of(const sim::scenario::PlannedProgram& planned,
 
 }  // namespace
 
+std::set<std::filesystem::path> input_files(const sim::scenario::Scenario& scenario) {
+  std::set<std::filesystem::path> files;
+  for (const sim::scenario::PlannedProgram& planned : sim::scenario::plan_programs(scenario)) {
+    files.insert(file_of(planned, scenario));
+  }
+  for (const sim::scenario::Group& group : scenario.groups) {
+    files.insert(group.dds.profile);
+    for (const sim::scenario::TopicItem& topic : group.topics) files.insert(topic.recorded.from);
+  }
+  std::erase_if(files, [](const std::filesystem::path& file) {
+    std::error_code ignored;
+    return !std::filesystem::is_regular_file(file, ignored);
+  });
+  return files;
+}
+
 std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenario,
                                            const programs::netns::ProgramTime& time) {
   std::vector<std::string> mistakes = sim::scenario::recording_mistakes(scenario);

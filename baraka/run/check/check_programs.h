@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,10 @@
 #include "sim/scenario/scenario.h"
 
 namespace baraka::run::check {
+
+/// The files on which a run with this scenario depends, besides itself and its controllers: programs
+/// inside agents, profiles of DDS, recordings. Those that do not exist are left out.
+std::set<std::filesystem::path> input_files(const sim::scenario::Scenario& scenario);
 
 /// The programs inside agents that cannot be found on this computer or whose time cannot be slowed
 /// down, as "file:line:column: command: …". Files that the run itself creates ({results}) are not

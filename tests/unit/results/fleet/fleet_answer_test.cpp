@@ -66,9 +66,11 @@ TEST(FleetAnswer, HoldsIfTheMeansDo) {
 
 TEST(FleetAnswer, ARunWithoutASampleDoesNotHold) {
   FleetRun none = run(0, 0);
-  none.needs[0].samples = 0;
+  EXPECT_FALSE(answered({}, {run(1, 0.01), none}).holds()) << "nothing arrived in one";
+  none.needs[0].samples = 0;  // nothing was sent in the window, as on /tf_static
   none.needs[0].lost.clear();
-  EXPECT_FALSE(answered({}, {run(1, 0.01), none}).holds());
+  EXPECT_TRUE(answered({}, {run(1, 0.01), none}).holds());
+  EXPECT_TRUE(answered({}, {none}).holds());
   FleetRun nobody = run(1, 0.01);
   nobody.needs[0] = {};
   EXPECT_EQ(cause_of(nobody), Cause::kDiscovery);
@@ -99,6 +101,26 @@ TEST(FleetAnswer, MoreRobotsAreBetterAndThenLessAir) {
       << words;
 }
 
+TEST(FleetAnswer, OfTwoThatDoNotHoldTheOneThatDeliversMoreIsFirst) {
+  FleetRun dead = run(0.01, 0.01);
+  dead.air["rt/*/scan"] = 0.001;
+  const auto lines =
+      lines_of({answered({0, 0, 0, 2}, {dead}), answered({0, 0, 1, 2}, {run(0.9, 0.01)})});
+  EXPECT_EQ(ranked(lines, 0, 0).front()->profile, 1U);
+  const std::string words = sentences(fleet(), lines).at(0);
+  EXPECT_NE(words.find("profile default does not hold, either"), std::string::npos) << words;
+}
+
+TEST(FleetAnswer, WhatDidNotRunIsNotCompared) {
+  FleetFile file = fleet();
+  file.replications = 2;
+  const auto lines = lines_of({answered({0, 0, 0, 2}, {run(1, 0.01)}), answered({0, 0, 1, 2}, {})});
+  EXPECT_EQ(ranked(lines, 0, 0).size(), 1U);
+  const std::string words = sentences(file, lines).at(0);
+  EXPECT_NE(words.find("(so far: 1 of 2 runs)"), std::string::npos) << words;
+  EXPECT_EQ(summary_cells(file, lines).rows[1][1], "no run");
+}
+
 TEST(FleetCause, IsWhatTheLossesAndTheRadiosTell) {
   FleetRun one = run(0.9, 0.01);
   EXPECT_EQ(cause_of(one), Cause::kQueue);
@@ -114,6 +136,8 @@ TEST(FleetCause, IsWhatTheLossesAndTheRadiosTell) {
   one.needs[0].lost = {{kUndiscovered, 100}};
   EXPECT_EQ(cause_of(one), Cause::kDiscovery);
   one.needs[0].lost = {{"no route at r0", 100}};
+  EXPECT_EQ(cause_of(one), Cause::kOther);
+  one.unassociated = 1;
   EXPECT_EQ(cause_of(one), Cause::kNoAccessPoint);
   one.handovers = 3;
   EXPECT_EQ(cause_of(one), Cause::kHandover);
@@ -126,6 +150,19 @@ TEST(FleetCause, OfDelays) {
   EXPECT_EQ(cause_of(one), Cause::kRepairs);
   one.backlogged = one.busy = 0.95;
   EXPECT_EQ(cause_of(one), Cause::kAirFull);
+}
+
+TEST(FleetCause, OfAnOldSampleIsTheLossOfThoseAfterIt) {
+  FleetFile file = fleet();
+  file.needs[0].delivered.reset();
+  file.needs[0].p95.reset();
+  file.needs[0].age = std::chrono::milliseconds{10};
+  FleetRun one = run(0.6, 0.01);
+  one.needs[0].lost = {{"noise at r0", 400}};
+  EXPECT_EQ(answer_of(file, {}, {one}, 0).misses.at(0).cause, Cause::kRange);
+  one = run(1, 0.01);
+  one.backlogged = 0.01;
+  EXPECT_EQ(answer_of(file, {}, {one}, 0).misses.at(0).cause, Cause::kOther);
 }
 
 TEST(FleetText, SharesAreNeverRoundedToAllOrNone) {

@@ -59,10 +59,16 @@ TEST(SampleMeasure, CountsWhatWasSentInTheWindow) {
   EXPECT_DOUBLE_EQ(*found.discovered, 6.6);
 }
 
-TEST(SampleMeasure, WhatIsUnderWayAtTheEndIsLeftOut) {
+TEST(SampleMeasure, WhatIsUnderWayIsLeftOutForASecondOnly) {
   SamplePair pair = every_second({});
-  pair.samples.back().left.reset();
-  EXPECT_EQ(measure({&pair}, kWindow).samples, 8U);
+  pair.samples.back().left.reset();  // sent at 18.5 s
+  const SampleMeasure soon = measure({&pair}, {kWindow.from, at(seconds{19})});
+  EXPECT_EQ(soon.samples, 8U);
+  EXPECT_EQ(soon.under_way, 1U);
+  const SampleMeasure late = measure({&pair}, kWindow);
+  EXPECT_EQ(late.samples, 9U);
+  EXPECT_EQ(late.under_way, 0U);
+  EXPECT_EQ(late.lost, (std::map<std::string, std::uint64_t>{{kUnderWay, 1}}));
 }
 
 TEST(SampleMeasure, NothingSentIsNoShareAndNothingDeliveredIsNoLatency) {
@@ -100,17 +106,34 @@ TEST(SampleMeasure, AnOlderSampleThatArrivesLaterDoesNotMakeTheReaderOlder) {
   EXPECT_NEAR(*measure({&pair}, kWindow).age95, 10.0, 1e-5);  // 0.5 s to 10.5 s
 }
 
+using Lost = std::map<std::string, std::uint64_t>;
+
 TEST(SampleMeasure, CountsWhatWasWrittenBeforeDiscovery) {
   SamplePair late = silent_pair();
-  late.rate = 2;  // Hz
   late.samples = {fate(at(seconds{15}), at(seconds{15}))};
-  const SampleMeasure found = measure({&late}, kWindow);
-  EXPECT_EQ(found.samples, 11U);
-  EXPECT_EQ(found.lost, (std::map<std::string, std::uint64_t>{{kUndiscovered, 10}}));
+  late.plan = WriterPlan{at(seconds{5}), 21, {}};  // 20 from 5 s to 15 s
+  EXPECT_EQ(measure({&late}, kWindow).lost, (Lost{{kUndiscovered, 10}}));
+  EXPECT_EQ(measure({&late}, kWindow).samples, 11U);
   SamplePair never = silent_pair();
-  never.rate = 2;
-  EXPECT_EQ(measure({&never}, kWindow).samples, 20U);
+  never.plan = WriterPlan{at(seconds{5}), 30, {}};  // 30 from 5 s to 20 s
+  EXPECT_EQ(measure({&never}, kWindow).lost, (Lost{{kUndiscovered, 20}}));
   EXPECT_EQ(measure({&never}, kWindow).delivered, 0U);
+}
+
+TEST(SampleMeasure, WhatIsInTheRecordWasNotWrittenBeforeDiscovery) {
+  SamplePair all = every_second({});
+  all.plan = WriterPlan{at(seconds{1}), all.samples.size(), {}};
+  EXPECT_EQ(measure({&all}, kWindow).lost, Lost{});
+  all.plan->begin = at(seconds{12});  // it began in the window: nothing was due before
+  EXPECT_EQ(measure({&all}, kWindow).samples, 9U);
+}
+
+TEST(SampleMeasure, CountsWhatCouldNotBeWrittenInTime) {
+  SamplePair slow = every_second({});
+  slow.plan = WriterPlan{at(seconds{0}), slow.samples.size(), slow.samples.size() + 40};
+  EXPECT_EQ(measure({&slow}, kWindow).lost, (Lost{{kUnwritten, 20}}));  // half of the time
+  slow.plan->due = slow.samples.size() + 1;  // the last one is due at the end
+  EXPECT_EQ(measure({&slow}, kWindow).lost, Lost{});
 }
 
 TEST(TopicGroup, HasAStarForEachAgent) {
