@@ -179,16 +179,15 @@ void read(Mapping& in, const Key& key, radio::ErrorTable& table) {
 void error_table_key(Fields& io, radio::ErrorTable& table) {
   const Key key{
       "error_table",
-      "File with packet error rates by mode, size and SNR, which replace the formula for the modes "
-      "that it has: a CSV with the header mode,size,snr_db,per and a row for each point; modes are "
-      "OFDM6 to OFDM54, HT0 to HT7, VHT0 to VHT9 and HE0 to HE11, sizes bytes. The path is "
-      "relative "
-      "to the file in which it stands, on the command line to the working directory. Or a list of "
-      "such rows.",
-      "['OFDM54,500,20,0.5']", "the formula for all modes"};
+      "Packet error rates by mode, size and SNR, which replace the formula for the modes that it "
+      "has: rows of mode,size,snr_db,per; or the name of a CSV file with these as its header. "
+      "Modes "
+      "are OFDM6 to OFDM54, HT0 to HT7, VHT0 to VHT9 and HE0 to HE11, sizes bytes. The path is "
+      "relative to the file in which it stands, on the command line to the working directory.",
+      "['OFDM54,500,18,0.9', 'OFDM54,500,22,0.01']", "the formula for all modes"};
   io.written_if(!table.empty(), [&](Fields& given) {
     given.own(
-        key, {.kind = hal::files::config::Form::Kind::kText},
+        key, {.kind = hal::files::config::Form::Kind::kTexts},
         [&](Mapping& in) { read(in, key, table); },
         [&](Writer& out) {
           std::vector<std::string> rows;
