@@ -65,9 +65,9 @@ void add_topics(const std::vector<FleetRun>& runs, CaseAnswer& answer) {
   for (const FleetRun& run : runs) {
     for (const auto& [group, measure] : run.topics) answer.topics.try_emplace(group);
   }
-  for (auto& [group, samples] : answer.topics) {
-    samples = samples_of(runs, [&group](const FleetRun& run) -> const SampleMeasure* {
-      const auto found = run.topics.find(group);
+  for (auto& topic : answer.topics) {
+    topic.second = samples_of(runs, [&topic](const FleetRun& run) -> const SampleMeasure* {
+      const auto found = run.topics.find(topic.first);
       return found == run.topics.end() ? nullptr : &found->second;
     });
   }
@@ -78,12 +78,12 @@ void add_air(const std::vector<FleetRun>& runs, CaseAnswer& answer) {
   for (const FleetRun& run : runs) {
     for (const auto& [what, share] : run.air) answer.air.try_emplace(what);
   }
-  for (auto& [what, share] : answer.air) {
-    share = *estimate(runs, Support::Kind::kNotNegative,
-                      [&what](const FleetRun& run) -> std::optional<double> {
-                        const auto found = run.air.find(what);
-                        return found == run.air.end() ? 0.0 : found->second;
-                      });
+  for (auto& use : answer.air) {
+    use.second = *estimate(runs, Support::Kind::kNotNegative,
+                           [&use](const FleetRun& run) -> std::optional<double> {
+                             const auto found = run.air.find(use.first);
+                             return found == run.air.end() ? 0.0 : found->second;
+                           });
   }
 }
 

@@ -80,6 +80,35 @@ DesignPoint point_of(const FleetFile& fleet, const FleetScenario& scenario, cons
   return point;
 }
 
+/// By radio, site, profile and number of robots, the last changing fastest.
+std::vector<Case> cases_of(const FleetFile& fleet) {
+  const std::size_t lines = fleet.radios.size() * fleet.sites.size() * fleet.profiles.size();
+  std::vector<Case> cases;
+  for (std::size_t line = 0; line < lines; ++line) {
+    const std::size_t place = line / fleet.profiles.size();
+    for (const int robots : fleet.robots) {
+      cases.push_back({place / fleet.sites.size(), place % fleet.sites.size(),
+                       line % fleet.profiles.size(), robots});
+    }
+  }
+  return cases;
+}
+
+void add_case(const FleetFile& fleet, const FleetScenario& scenario, const Case& one,
+              FleetPlan& plan) {
+  campaign::CampaignFile& campaign = plan.campaign;
+  const std::string words = words_of(fleet, one);
+  campaign.labels.push_back(
+      fmt::format("{}{}{} robots", words, words.empty() ? "" : ", ", one.robots));
+  campaign.points.push_back(point_of(fleet, scenario, one));
+  for (const FactorValue& value : campaign.points.back()) {
+    if (std::ranges::find(campaign.keys, value.key) == campaign.keys.end()) {
+      campaign.keys.push_back(value.key);
+    }
+  }
+  plan.cases.push_back(one);
+}
+
 }  // namespace
 
 std::string words_of(const FleetFile& fleet, const Case& one) {
@@ -135,24 +164,7 @@ FleetPlan plan_of(const FleetFile& fleet, const FleetScenario& scenario) {
   campaign.jobs = fleet.jobs;
   campaign.slurm = fleet.slurm;
   campaign.design = campaign::Design::kList;
-  for (std::size_t radio = 0; radio < fleet.radios.size(); ++radio) {
-    for (std::size_t site = 0; site < fleet.sites.size(); ++site) {
-      for (std::size_t profile = 0; profile < fleet.profiles.size(); ++profile) {
-        for (const int robots : fleet.robots) {
-          plan.cases.push_back({radio, site, profile, robots});
-          const std::string words = words_of(fleet, plan.cases.back());
-          campaign.labels.push_back(
-              fmt::format("{}{}{} robots", words, words.empty() ? "" : ", ", robots));
-          campaign.points.push_back(point_of(fleet, scenario, plan.cases.back()));
-          for (const FactorValue& one : campaign.points.back()) {
-            if (std::ranges::find(campaign.keys, one.key) == campaign.keys.end()) {
-              campaign.keys.push_back(one.key);
-            }
-          }
-        }
-      }
-    }
-  }
+  for (const Case& one : cases_of(fleet)) add_case(fleet, scenario, one, plan);
   return plan;
 }
 

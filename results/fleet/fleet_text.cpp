@@ -81,6 +81,20 @@ std::string sentence(const FleetFile& fleet, const std::vector<const FleetLine*>
   return text;
 }
 
+std::vector<std::string> air_row(const FleetLine& line, const std::string& use,
+                                 const CellWriter& cell) {
+  std::vector<std::string> row{use};
+  for (const CaseAnswer& one : line.cases) {
+    const auto found = one.air.find(use);
+    if (found != one.air.end()) {
+      row.push_back(cell(found->second, share_text));
+    } else {
+      row.emplace_back(one.runs > 0 ? "0.0 %" : "-");
+    }
+  }
+  return row;
+}
+
 }  // namespace
 
 std::string largest_text(const FleetLine& line) {
@@ -155,19 +169,7 @@ Cells air_cells(const FleetLine& line, Intervals intervals) {
     busy.push_back(cell(one.busy, share_text));
     sum.push_back(one.runs > 0 ? share_text(air_of(one)) : "-");
   }
-  for (const std::string& use : uses) {
-    std::vector<std::string> row{use};
-    for (const CaseAnswer& one : line.cases) {
-      const auto found = one.air.find(use);
-      const bool is_there = found != one.air.end();
-      if (is_there) {
-        row.push_back(cell(found->second, share_text));
-      } else {
-        row.emplace_back(one.runs > 0 ? "0.0 %" : "-");
-      }
-    }
-    cells.rows.push_back(std::move(row));
-  }
+  for (const std::string& use : uses) cells.rows.push_back(air_row(line, use, cell));
   cells.rows.push_back(std::move(sum));
   cells.rows.push_back(std::move(busy));
   return cells;

@@ -70,7 +70,8 @@ bool with_json(const fs::path& file, const Act& act) {
 std::vector<PlayedTopics> read_players(const fs::path& folder, const AgentNames& names,
                                        double end_s) {
   std::vector<PlayedTopics> players;
-  for (const auto& [address, agent] : names) {
+  for (const auto& named : names) {
+    const std::string& agent = named.second;
     PlayedTopics topics;
     const bool is_there =
         with_json(folder / (agent + ".topics.plan.json"),

@@ -58,6 +58,7 @@ double age_quantile(const std::vector<Growth>& growth, double share) {
 }
 
 void count(const SampleFate& sample, const Window& window, SampleMeasure& sums) {
+  if (sample.entered < window.from || sample.entered >= window.until) return;
   const bool is_under_way = !sample.left && sample.verdict.empty();
   if (is_under_way && sample.entered + kGrace >= window.until) {
     ++sums.under_way;
@@ -137,11 +138,7 @@ SampleMeasure measure(const std::vector<const SamplePair*>& pairs, const Window&
     if (!first) ++sums.silent;
     if (first && (!last || *first > *last)) last = first;
     count_unrecorded(*pair, window, sums);
-    for (const SampleFate& sample : pair->samples) {
-      if (sample.entered >= window.from && sample.entered < window.until) {
-        count(sample, window, sums);
-      }
-    }
+    for (const SampleFate& sample : pair->samples) count(sample, window, sums);
     add_growth(*pair, window, growth);
   }
   std::ranges::sort(sums.latencies);
