@@ -17,6 +17,7 @@ those, too.
 """
 import collections
 import csv
+import itertools
 import pathlib
 import tempfile
 
@@ -38,8 +39,11 @@ PROFILES = {
 <participant profile_name="participant" is_default_profile="true"><rtps>
 <listenSocketBufferSize>{0}</listenSocketBufferSize></rtps></participant></profiles></dds>"""}
 COUNTERS = ("Ip", "ReasmReqds"), ("Ip", "ReasmOKs"), ("Ip", "ReasmFails"), ("Ip", "ReasmTimeout"), ("Udp", "RcvbufErrors")
-COLUMNS = ["width, MHz", "streams", "MCS", "rate control", "profile", "vendor", "rate, Hz", "received", "measured", "dead",
-           "measured", "written, Hz", "p50, ms", "p99, ms", "air of the topic", "fragments", "not put together", "buffer full"]
+KEYS = "width", "streams", "mcs", "control", "profile"
+RADIO = "width, MHz", "streams", "MCS", "rate control", "profile"
+DETAILS = [*RADIO, "vendor", "rate, Hz", "written, Hz", "p50, ms", "p99, ms", "air", "fragments", "not put together",
+           "buffer full", "given up"]
+BROKEN = 0.9  # of what the rate says: less than this is received in the median
 
 
 class AccessPoint(own.Station):
@@ -146,13 +150,8 @@ def measured():
     return found
 
 
-def spread(shares):
-    """Median, least and most, as the report has them."""
-    return figures.with_interval(figures.median(sorted(shares)), (min(shares), max(shares))) if shares else "-"
-
-
-def dead(flags):
-    return f"{sum(flags)} of {len(flags)}"
+def received(row, rate):
+    return sum(row["per_second"]) / (rate * len(row["per_second"]))
 
 
 def middle(values):
@@ -160,16 +159,39 @@ def middle(values):
     return figures.median(known) if known else None
 
 
-def shown(case, rows, theirs):
-    """A line of the table from the runs of a case."""
-    shares, flags = zip(*theirs[case["vendor"], case["rate"]])
+def compared(columns, runs, traffic):
+    """A line of the first table. runs: {(vendor, rate): [(received, whether it is dead)]}."""
+    cells, broken = [], []
+    for one in traffic:
+        shares, dead = zip(*runs[one])
+        cells.append(f"{figures.with_interval(middle(shares), (min(shares), max(shares)), 2)}, {sum(dead)} of {len(dead)}")
+        if middle(shares) < BROKEN:
+            broken.append(f"{one[0]} {one[1]}")
+    return [*columns, *cells, ", ".join(broken) or "none"]
+
+
+def detailed(columns, one, rows):
+    """A line of the second table, from the runs of a case."""
     kernels = {counter: middle(row["kernel"][i] for row in rows) for i, (_, counter) in enumerate(COUNTERS)}
-    return [case["width"], case["streams"], case["mcs"], case["control"], case["profile"], case["vendor"], case["rate"],
-            spread([sum(row["per_second"]) / (case["rate"] * len(row["per_second"])) for row in rows]), spread(shares),
-            dead([is_dead(row["per_second"]) for row in rows]), dead(flags),
-            middle((row["written"] - 1) / row["span"] if row["span"] else None for row in rows),
+    return [*columns, *one, middle((row["written"] - 1) / row["span"] if row["span"] else None for row in rows),
             *(middle(row[key] for row in rows) for key in ("p50", "p99", "air")),
-            *(kernels[counter] for counter in ("ReasmReqds", "ReasmFails", "RcvbufErrors"))]
+            *(kernels[counter] for counter in ("ReasmReqds", "ReasmFails", "RcvbufErrors", "ReasmTimeout"))]
+
+
+def show(rows, traffic):
+    lines, details = [compared(["measured", "", "", "", ""], measured(), traffic)], []
+    cells = dict.fromkeys(tuple(row[key] for key in KEYS) for row in rows)
+    for cell in cells:
+        columns = [str(value) for value in cell]
+        of_cell = {one: [row for row in rows if tuple(row[key] for key in KEYS) == cell
+                         and (row["vendor"], row["rate"]) == one] for one in traffic}
+        runs = {one: [(received(row, one[1]), is_dead(row["per_second"])) for row in some]
+                for one, some in of_cell.items()}
+        lines.append(compared(columns, runs, traffic))
+        details += [detailed(columns, one, some) for one, some in of_cell.items()]
+    names = [f"{vendor}, {rate} Hz" for vendor, rate in traffic]
+    print(figures.table([*RADIO, *names, "broken"], lines))
+    print(figures.table(DETAILS, details))
 
 
 def main():
@@ -192,15 +214,12 @@ def main():
     if options.short:
         options.runs, options.seconds, options.widths, options.streams, options.rates = 1, 2, [20], [2], [80]
     store = Store(options.store)
-    cases = [{"width": width, "streams": streams, "mcs": mcs, "control": control, "profile": profile, "vendor": vendor,
-              "rate": rate}
-             for control in options.controls for profile in options.profiles for width in options.widths
-             for streams in options.streams for mcs in options.mcs for vendor in options.vendors for rate in options.rates]
+    traffic = [(vendor, rate) for vendor in options.vendors for rate in options.rates]
+    cells = itertools.product(options.widths, options.streams, options.mcs, options.controls, options.profiles)
+    cases = [{**dict(zip(KEYS, cell)), "vendor": vendor, "rate": rate} for cell in cells for vendor, rate in traffic]
     rows = store.get_all([{**case, "seconds": options.seconds, "run": run} for run in range(options.runs) for case in cases],
                          lambda case: measure(case, options), options.parallel)
-    theirs = measured()
-    print(figures.table(COLUMNS, [shown(case, [row for row in rows if all(row[key] == case[key] for key in case)], theirs)
-                                  for case in cases]))
+    show(rows, traffic)
     print(own.costs(rows))
 
 
