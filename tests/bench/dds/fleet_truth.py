@@ -43,9 +43,9 @@ BEGIN = 'sleep $(printf %s "$0" | cksum | awk \'{print ($1 % 1000) / 1000}\'); e
 
 
 def load(options, writer, name, *more):
-    return {"name": name, "command": ["/bin/sh", "-c", BEGIN, "{results} {agent} " + name, str(options.build / "tests/cyclone_load"),
-                                      "--writer", str(writer), "--csv", "{results}/{agent}." + name + ".csv",
-                                      "--patience", "0", "--settle", "0.5", "--for", "1000", *map(str, more)]}
+    program = [str(options.build / "tests/cyclone_load"), "--writer", str(writer), "--csv", "{results}/{agent}." + name + ".csv",
+               "--patience", "0", "--settle", "0.5", "--for", "1000", *map(str, more)]
+    return {"name": name, "on_exit": "fail", "command": ["/bin/sh", "-c", BEGIN, "{results} {agent} " + name, *program]}
 
 
 def reliability(is_reliable):
