@@ -10,8 +10,8 @@
 
 namespace baraka::run::check {
 
-/// The files on which a run with this scenario depends, besides itself and its controllers: programs
-/// inside agents, profiles of DDS, recordings. Those that do not exist are left out.
+/// The files on which a run with this scenario depends, besides itself and its controllers:
+/// programs inside agents, profiles of DDS, recordings. Those that do not exist are left out.
 std::set<std::filesystem::path> input_files(const sim::scenario::Scenario& scenario);
 
 /// The programs inside agents that cannot be found on this computer or whose time cannot be slowed
