@@ -132,7 +132,7 @@ void explain_delay(const CaseAnswer& answer, const SampleAnswer& need, Miss& mis
 }
 
 void explain_silence(const CaseAnswer& answer, const SampleAnswer& need, Miss& miss) {
-  miss.cause = Cause::kDiscovery;
+  miss.cause = need.pairs == 0 ? Cause::kOther : Cause::kDiscovery;
   if (is_full(answer)) miss.cause = Cause::kAirFull;
   if (answer.unassociated > 0) miss.cause = Cause::kNoAccessPoint;
   miss.evidence = joined(

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -90,6 +92,14 @@ fs::path found_profile(Mapping& in, const std::string& file) {
   }
 }
 
+/// Whether a file may be one of that vendor: it has the root element of its XML.
+bool is_of(const fs::path& file, const std::string& vendor) {
+  std::ifstream in(file);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const bool is_cyclone = text.find("<CycloneDDS") != std::string::npos;
+  return is_cyclone == (vendor == "cyclonedds");
+}
+
 void profile_keys(Fields& io, Variant& profile) {
   io.given_text(
       {"vendor", "DDS of the players of `topics`, cyclonedds or fastdds; default: the scenario's.",
@@ -105,6 +115,10 @@ void profile_keys(Fields& io, Variant& profile) {
                  "cyclone_one_frame.xml"},
                 file);
   if (!file.empty() && io.reading() != nullptr) profile.xml = found_profile(*io.reading(), file);
+  if (profile.xml && !profile.xml->empty() && !profile.vendor.empty() &&
+      !is_of(*profile.xml, profile.vendor)) {
+    io.mistake("file", fmt::format("{} is not XML of {}", profile.xml->string(), profile.vendor));
+  }
   const Key set{"set", "Further keys of the scenario, as dotted paths.",
                 "{agents.server.present: true}"};
   read_if_there(io, set, Form::Kind::kMapping, [&](Mapping& in) {

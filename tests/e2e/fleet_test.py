@@ -164,6 +164,8 @@ class Mistakes(Fleets):
         self.refused({**FLEET, "need": []}, "must have at least one")
         self.refused({**FLEET, "need": [{"topic": "*/scan", "delivered": "101 %"}]}, "fleet.yaml:", "101 % is above the limit of 1")
         self.refused({**FLEET, "profiles": {"a": {"file": "no.xml"}}}, "fleet.yaml:", "no.xml")
+        self.refused({**FLEET, "profiles": {"a": {"vendor": "fastdds", "file": "cyclone_one_frame.xml"}}}, "fleet.yaml:",
+                     "cyclone_one_frame.xml is not XML of fastdds")
         self.refused({**FLEET, "profiles": {"a": {"vendor": "opendds"}}}, "fleet.yaml:", "not one of cyclonedds, fastdds")
         self.refused({**FLEET, "radios": {"a": {"radio.data_rat": "6 Mb/s"}}}, "fleet.yaml:", "data_rat")
         self.refused({**FLEET, "until": "1 s"}, "fleet.yaml:", "must be later than `warm_up`")

@@ -73,6 +73,8 @@ TEST(FleetAnswer, ARunWithoutASampleDoesNotHold) {
   EXPECT_TRUE(answered({}, {none}).holds());
   FleetRun nobody = run(1, 0.01);
   nobody.needs[0] = {};
+  EXPECT_EQ(cause_of(nobody), Cause::kOther);
+  nobody.needs[0].pairs = nobody.needs[0].silent = 1;
   EXPECT_EQ(cause_of(nobody), Cause::kDiscovery);
 }
 
