@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,11 +51,11 @@ struct ParameterMistake {
 /// Description of a kind of controller.
 struct ControllerKind {
   /// Makes the controller of one mote, e.g. hal::make_for_mote<HelpMote>.
-  using MakeForMote = std::unique_ptr<Controller> (*)(Mote&, const Parameters&);
+  using MakeForMote = std::function<std::unique_ptr<Controller>(Mote&, const Parameters&)>;
   /// Returns contradictions between parameters; empty if there are none.
-  using Judge = std::vector<ParameterMistake> (*)(const Parameters&);
+  using Judge = std::function<std::vector<ParameterMistake>(const Parameters&)>;
   /// Makes the controller of one robot, e.g. hal::make_for_robot<Wanderer>.
-  using MakeForRobot = std::unique_ptr<Controller> (*)(Robot&, const Parameters&);
+  using MakeForRobot = std::function<std::unique_ptr<Controller>(Robot&, const Parameters&)>;
 
   /// Digest of the HAL's headers at compile time. A plug-in with another digest is refused. This
   /// stays the first member, so that it can be read whatever else has changed.

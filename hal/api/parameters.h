@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -87,7 +88,7 @@ struct ParameterSpec {
   /// Permitted texts that are not names, in addition to the default.
   std::vector<std::string> besides{};
   /// Whether the name is used, given the other parameters. Null: always.
-  bool (*is_used)(const Parameters&) = nullptr;
+  std::function<bool(const Parameters&)> is_used = nullptr;
 };
 
 /// The checked parameters of one agent, in SI units, including defaults.
