@@ -1,0 +1,47 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/message.h"
+#include "hal/types/path_metric.h"
+#include "hal/types/route.h"
+#include "hal/types/time.h"
+
+namespace python::bindings {
+
+/// Values given by Python, checked. `what` names the argument in the message of the exception,
+/// which is baraka.InvalidArgument for a wrong value and TypeError for a wrong type.
+
+double number_from(pybind11::handle value, std::string_view what);
+std::vector<double> numbers_from(pybind11::handle value, std::string_view what);
+std::string text_from(pybind11::handle value, std::string_view what);
+std::vector<std::string> texts_from(pybind11::handle value, std::string_view what);
+bool flag_from(pybind11::handle value, std::string_view what);
+/// A whole number. @pre low <= high
+std::int64_t count_from(pybind11::handle value, std::string_view what, std::int64_t low,
+                        std::int64_t high);
+/// An address, also baraka.EVERYONE and baraka.NEIGHBOURS.
+hal::AgentId address_from(pybind11::handle value, std::string_view what);
+/// Seconds since the start of the run, to the nearest nanosecond.
+hal::Time time_from(pybind11::handle value, std::string_view what);
+/// bytes, bytearray or memoryview.
+hal::Bytes bytes_from(pybind11::handle value, std::string_view what);
+/// A baraka.Route.
+hal::Route route_from(pybind11::handle value);
+
+/// Of hal/types, as the named tuples of python/baraka/values.py.
+pybind11::object tuple_of(const hal::Message& message);
+pybind11::object tuple_of(const hal::Route& route);
+pybind11::object tuple_of(const hal::Neighbour& neighbour);
+
+/// The class of that name in python/baraka/values.py, found once.
+/// Usage: static const auto kVec2 = value_class("Vec2");
+pybind11::handle value_class(const char* name);
+
+}  // namespace python::bindings
