@@ -9,6 +9,7 @@
 
 #include "gateway/process/find_program.h"
 #include "gateway/runtime/plugin.h"
+#include "gateway/runtime/python_file.h"
 #include "gateway/server/teleop_port.h"
 #include "sim/core/fingerprint.h"
 
@@ -33,7 +34,8 @@ std::string digest_of(const std::string& controller) {
   if (const auto program = gateway::process::find_program(controller, folders))
     add_file(hash, *program);
   for (const fs::path& folder : folders) {
-    const fs::path plugin = folder / fmt::format("{}.so", controller);
+    const bool is_python = gateway::runtime::is_python(controller);
+    const fs::path plugin = folder / (is_python ? controller : fmt::format("{}.so", controller));
     std::error_code ignored;
     if (!fs::is_regular_file(plugin, ignored)) continue;
     add_file(hash, plugin);

@@ -60,6 +60,11 @@ std::string words_of(const hal::ControllerKind& kind) {
                      parameters.empty() ? "" : "; parameters: ", fmt::join(parameters, ", "));
 }
 
+/// As a scenario names it: of a plug-in without its extension.
+std::string name_of_controller(const fs::path& file) {
+  return (file.extension() == ".so" ? file.stem() : file.filename()).string();
+}
+
 /// The line about a file with the name of a plug-in; none: the file is not listed.
 /// @param by_user  the file is in a folder of BARAKA_CONTROLLER_PATH, which should hold only
 ///   controllers; BARAKA's own folders may hold other libraries, too.
@@ -70,7 +75,7 @@ std::optional<std::string> words_of(const fs::path& file, bool by_user) {
     return fmt::format("a link to {}, which is not there",
                        fs::read_symlink(file, unknown).string());
   }
-  const auto kind = gateway::runtime::load_plugin(file.stem().string(), {file.parent_path()});
+  const auto kind = gateway::runtime::load_plugin(name_of_controller(file), {file.parent_path()});
   if (kind) return words_of(**kind);
   const bool is_controller = kind.error().code != hal::Errc::kInvalidArgument;
   return by_user || is_controller ? std::optional(kind.error().message) : std::nullopt;
@@ -79,8 +84,10 @@ std::optional<std::string> words_of(const fs::path& file, bool by_user) {
 /// @param seen  names of controllers in earlier folders, which take precedence.
 void list_controllers_in(const fs::path& folder, bool by_user, std::set<std::string>& seen) {
   bool is_first = true;
-  for (const fs::path& file : files_in(folder, ".so")) {
-    const std::string name = file.stem().string();
+  std::vector<fs::path> files = files_in(folder, ".so");
+  if (by_user) std::ranges::move(files_in(folder, ".py"), std::back_inserter(files));
+  for (const fs::path& file : files) {
+    const std::string name = name_of_controller(file);
     if (name.starts_with("lib") || seen.contains(name)) continue;  // "lib…" is not a plug-in
     const auto words = words_of(file, by_user);
     std::error_code unknown;

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "gateway/runtime/python_file.h"
 #include "hal/files/config/suggest.h"
 
 namespace gateway::runtime {
@@ -93,6 +94,7 @@ std::string similar_plugin(std::string_view name, const std::vector<fs::path>& f
       std::error_code unknown;
       const bool is_there = at->is_regular_file(unknown);  // false for a broken link
       if (is_there && at->path().extension() == ".so") names.insert(at->path().stem().string());
+      if (is_there && is_python(at->path().string())) names.insert(at->path().filename().string());
     }
   }
   return hal::files::config::suggestion(name, {names.begin(), names.end()});
@@ -106,11 +108,11 @@ hal::Result<const hal::ControllerKind*> load_plugin(std::string_view name,
     return hal::fail(hal::Errc::kInvalidArgument,
                      fmt::format("'{}' is not the name of a controller", name));
   }
-  const std::string file_name = fmt::format("{}.so", name);
+  const std::string file_name = is_python(name) ? std::string(name) : fmt::format("{}.so", name);
   for (const fs::path& folder : folders) {
     const fs::path file = fs::absolute(folder / file_name);
     std::error_code ignored;
-    if (fs::is_regular_file(file, ignored)) return load(file);
+    if (fs::is_regular_file(file, ignored)) return is_python(name) ? load_python(file) : load(file);
   }
   return hal::fail(hal::Errc::kNotAvailable,
                    fmt::format("'{}' is not a known controller: looked for {} in {}; "

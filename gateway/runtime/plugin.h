@@ -19,8 +19,9 @@ std::vector<std::filesystem::path> named_controller_folders();
 /// ../lib/baraka.
 std::vector<std::filesystem::path> controller_folders();
 
-/// Loads `<name>.so` from the first of the folders that has it, and asks it for its controller. The
-/// file stays loaded until the process ends, so the result is always valid. Not thread safe.
+/// Loads `<name>.so` from the first of the folders that has it, or the Python file `name` if that
+/// ends in ".py", and asks it for its controller. The file stays loaded until the process ends, so
+/// the result is always valid. Not thread safe.
 /// Errors: kNotAvailable (in none of the folders, which are named), kInvalidArgument (`name` is not
 /// a plain file name, or the file is not a controller), kProtocol (it cannot be loaded, or was
 /// built with other headers).

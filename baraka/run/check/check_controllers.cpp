@@ -11,8 +11,8 @@
 #include "baraka/run/check/check_names.h"
 #include "baraka/run/check/config_of.h"
 #include "baraka/run/controllers/controller_path.h"
-#include "gateway/process/find_program.h"
 #include "gateway/runtime/check_parameters.h"
+#include "gateway/runtime/controller_command.h"
 #include "gateway/runtime/plugin.h"
 #include "gateway/server/teleop_port.h"
 #include "hal/node/exchange/ports.h"
@@ -20,6 +20,12 @@
 
 namespace baraka::run::check {
 namespace {
+
+/// Whether the controller can be started as a process.
+bool has_command(const std::string& program) {
+  return !gateway::runtime::controller_command(program, gateway::runtime::controller_folders())
+              .empty();
+}
 
 bool drives(const hal::ControllerKind& kind, const sim::agents::AgentConfig& agent) {
   return is_robot(agent) ? kind.make_for_robot != nullptr : kind.make_for_mote != nullptr;
@@ -87,7 +93,7 @@ void check_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::
 void check_form(const sim::scenario::Group& group, const RunMode& mode,
                 std::vector<std::string>& mistakes) {
   if (mode.controllers != controllers::ControllersFrom::kSpawn) return;
-  if (gateway::process::find_program(group.program, gateway::runtime::controller_folders())) return;
+  if (has_command(group.program)) return;
   mistakes.push_back(fmt::format(
       "{}: program: '{}' has no executable, only a plug-in; use --controllers in-process",
       group.program_place, group.program));
@@ -112,10 +118,7 @@ void check_without_plugin(const sim::scenario::Group& group, const RunMode& mode
     findings.mistakes.push_back(fmt::format("{}: program: {}", group.program_place, what));
   };
   if (error.code != hal::Errc::kNotAvailable) return add(error.message);
-  const bool has_program =
-      gateway::process::find_program(group.program, gateway::runtime::controller_folders())
-          .has_value();
-  if (!has_program || mode.controllers == controllers::ControllersFrom::kInProcess) {
+  if (!has_command(group.program) || mode.controllers == controllers::ControllersFrom::kInProcess) {
     controllers::warn_of_missing_controller_folders();
     return add(error.message);
   }

@@ -10,8 +10,8 @@
 #include "baraka/run/controllers/missing_controllers_notice.h"
 #include "baraka/run/pace/interrupts.h"
 #include "gateway/process/exit_status.h"
-#include "gateway/process/find_program.h"
 #include "gateway/process/limits.h"
+#include "gateway/runtime/controller_command.h"
 #include "gateway/runtime/controller_host.h"
 #include "gateway/runtime/in_process_port.h"
 #include "gateway/runtime/plugin.h"
@@ -186,19 +186,18 @@ void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenar
                              const Settings& settings) {
   gateway::process::make_room_for(plans.size());
   for (const ProcessPlan& plan : plans) {
-    const auto program =
-        gateway::process::find_program(plan.program, gateway::runtime::controller_folders());
-    if (!program) {
+    std::vector<std::string> words =
+        gateway::runtime::controller_command(plan.program, gateway::runtime::controller_folders());
+    if (words.empty()) {
       throw std::runtime_error(
           fmt::format("{}: program: '{}' has no executable", plan.program_place, plan.program));
     }
-    std::vector<std::string> arguments = arguments_for(plan, scenario);
+    std::ranges::move(arguments_for(plan, scenario), std::back_inserter(words));
     if (plan.inside) {
-      arguments.insert(arguments.begin(), program->string());
-      start_inside(plan, std::move(arguments), settings);
+      start_inside(plan, std::move(words), settings);
     } else {
-      spawner_.start({.program = *program,
-                      .arguments = std::move(arguments),
+      spawner_.start({.program = words.front(),
+                      .arguments = {words.begin() + 1, words.end()},
                       .domain = server_->domain(),
                       .log = settings.logs / (plan.process + ".log")});
     }

@@ -1,11 +1,12 @@
 #include "baraka/run/controllers/missing_controllers_notice.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "gateway/process/find_program.h"
+#include "gateway/runtime/controller_command.h"
 #include "gateway/runtime/plugin.h"
 #include "hal/types/pattern.h"
 
@@ -24,10 +25,10 @@ std::string common_beginning(const std::vector<std::string>& names) {
   return common;
 }
 
-std::string path_of(const std::string& program) {
-  const auto found =
-      gateway::process::find_program(program, gateway::runtime::controller_folders());
-  return found ? found->string() : program;
+std::string words_of(const std::string& program) {
+  const auto words =
+      gateway::runtime::controller_command(program, gateway::runtime::controller_folders());
+  return words.empty() ? program : fmt::format("{}", fmt::join(words, " "));
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ std::vector<std::string> MissingControllersNotice::commands(
     }
     if (wanted.empty()) continue;
     lines.push_back(
-        fmt::format("{} --domain {}{}", path_of(plan.program), domain_, agents_option(wanted)));
+        fmt::format("{} --domain {}{}", words_of(plan.program), domain_, agents_option(wanted)));
   }
   return lines;
 }

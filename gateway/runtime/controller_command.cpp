@@ -1,0 +1,51 @@
+#include "gateway/runtime/controller_command.h"
+
+#include <cstdlib>
+
+#include "gateway/process/find_program.h"
+#include "gateway/runtime/plugin.h"
+#include "gateway/runtime/python_file.h"
+
+namespace gateway::runtime {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string interpreter() {
+  const char* const named = std::getenv("BARAKA_PYTHON");
+  return named == nullptr || *named == '\0' ? "/usr/bin/python3" : named;
+}
+
+/// How the interpreter finds the package: in a build its main file, by its place.
+std::vector<std::string> package_words() {
+  std::error_code unreadable;
+  const fs::path self = fs::read_symlink("/proc/self/exe", unreadable);
+  const fs::path main = self.parent_path() / "python/baraka/__main__.py";
+  if (!unreadable && fs::is_regular_file(main, unreadable)) return {main.string()};
+  return {"-m", "baraka"};
+}
+
+std::vector<std::string> python_command(const std::string& program,
+                                        const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
+    const fs::path file = fs::absolute(folder / program);
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) continue;
+    std::vector<std::string> words{interpreter()};
+    for (std::string& one : package_words()) words.push_back(std::move(one));
+    words.push_back(file.string());
+    return words;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> controller_command(const std::string& program,
+                                            const std::vector<fs::path>& folders) {
+  if (is_python(program)) return python_command(program, folders);
+  const auto found = process::find_program(program, folders);
+  return found ? std::vector<std::string>{found->string()} : std::vector<std::string>{};
+}
+
+}  // namespace gateway::runtime
