@@ -48,6 +48,11 @@ install(DIRECTORY ${manual}/baraka/completions DESTINATION share/bash-completion
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION share/doc/baraka COMPONENT program)
 install(DIRECTORY docs DESTINATION share/doc/baraka COMPONENT program OPTIONAL)
 
+if(TARGET python_package)
+  install(TARGETS baraka_python LIBRARY DESTINATION lib/baraka COMPONENT python)
+  install(TARGETS python_hal python_process LIBRARY DESTINATION lib/python3/dist-packages/baraka COMPONENT python)
+  install(DIRECTORY python/baraka/ DESTINATION lib/python3/dist-packages/baraka COMPONENT python FILES_MATCHING PATTERN *.py)
+endif()
 install(TARGETS baraka-agentd RUNTIME DESTINATION bin COMPONENT agentd)
 install(DIRECTORY ${manual}/baraka-agentd/man1 DESTINATION share/man COMPONENT agentd)
 install(DIRECTORY ${manual}/baraka-agentd/completions DESTINATION share/bash-completion COMPONENT agentd)

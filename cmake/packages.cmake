@@ -1,4 +1,4 @@
-# The target `packages`: three Debian packages in <build>/packages, by CPack, and baraka-doc where the site was built. What they need of other
+# The target `packages`: Debian packages in <build>/packages, by CPack, and baraka-doc where the site was built. What they need of other
 # packages is computed by dpkg-shlibdeps, but for the headers that libbaraka-dev leads to.
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -10,6 +10,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CPACK_PACKAGE_CONTACT "The BARAKA authors")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_COMPONENTS_ALL program dev agentd doc)
+if(TARGET python_package)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -41,6 +44,13 @@ set(CPACK_DEBIAN_AGENTD_PACKAGE_RECOMMENDS systemd)
 set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/agentd/postinst
     ${PROJECT_SOURCE_DIR}/cmake/agentd/prerm)
 set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-baraka)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "controllers for BARAKA in Python
+`import baraka`, and `program: my_robot.py` in a scenario.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "baraka (= ${PROJECT_VERSION}), python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 
 set(CPACK_DEBIAN_DOC_PACKAGE_NAME baraka-doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)

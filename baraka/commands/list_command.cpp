@@ -81,11 +81,20 @@ std::optional<std::string> words_of(const fs::path& file, bool by_user) {
   return by_user || is_controller ? std::optional(kind.error().message) : std::nullopt;
 }
 
+/// Whether a Python file looks like a controller: to ask it means to run it, whatever it does.
+bool is_python_controller(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return text.find("(baraka.Controller)") != std::string::npos;
+}
+
 /// @param seen  names of controllers in earlier folders, which take precedence.
 void list_controllers_in(const fs::path& folder, bool by_user, std::set<std::string>& seen) {
   bool is_first = true;
   std::vector<fs::path> files = files_in(folder, ".so");
-  if (by_user) std::ranges::move(files_in(folder, ".py"), std::back_inserter(files));
+  if (by_user) {
+    std::ranges::copy_if(files_in(folder, ".py"), std::back_inserter(files), is_python_controller);
+  }
   for (const fs::path& file : files) {
     const std::string name = name_of_controller(file);
     if (name.starts_with("lib") || seen.contains(name)) continue;  // "lib…" is not a plug-in

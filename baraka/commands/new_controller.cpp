@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "gateway/process/exit_status.h"
 #include "gateway/server/teleop_port.h"
@@ -62,6 +63,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 }
 
 std::string filled_in(std::string text, const NewControllerOptions& options) {
+  replace_all(text, "@program@", options.name + (options.in_python ? ".py" : ""));
   replace_all(text, "@name@", options.name);
   replace_all(text, "@Name@", class_name(options.name));
   replace_all(text, "@agent@", options.for_mote ? "m0" : "r0");
@@ -81,9 +83,16 @@ void write_filled_in(const fs::path& from, const fs::path& folder,
   fs::permissions(to, fs::status(from).permissions() | fs::perms::owner_write);
 }
 
-void write_project(const fs::path& folder, const NewControllerOptions& options) {
+/// The folders of templates that make the project; of those in C++ only the scenario counts for
+/// one in Python.
+std::vector<std::string> parts_of(const NewControllerOptions& options) {
   const std::string kind = options.for_mote ? "mote" : "robot";
-  for (const std::string& part : {std::string("any"), options.from.empty() ? kind : options.from}) {
+  if (options.in_python) return {kind, "python/any", "python/" + kind};
+  return {"any", options.from.empty() ? kind : options.from};
+}
+
+void write_project(const fs::path& folder, const NewControllerOptions& options) {
+  for (const std::string& part : parts_of(options)) {
     const auto relative = fs::path("templates") / part;
     const auto templates = hal::files::config::find_shared(relative);
     if (!templates) {
@@ -91,7 +100,9 @@ void write_project(const fs::path& folder, const NewControllerOptions& options) 
                                            hal::files::config::listed_shared_folders()));
     }
     for (const auto& entry : fs::directory_iterator(*templates)) {
-      if (entry.path().extension() == ".in") write_filled_in(entry.path(), folder, options);
+      const bool in_cpp = entry.path().stem().extension() == ".cpp";
+      if (entry.path().extension() != ".in" || (in_cpp && options.in_python)) continue;
+      write_filled_in(entry.path(), folder, options);
     }
   }
 }
@@ -125,8 +136,9 @@ int new_controller(const NewControllerOptions& options) {
     fs::remove_all(folder);
     throw;
   }
-  fmt::print("{}: a controller for a {}; its README.md says how to build, test and run it\n",
-             folder.string(), options.for_mote ? "mote" : "robot");
+  fmt::print("{}: a controller for a {}; its README.md says how to {}test and run it\n",
+             folder.string(), options.for_mote ? "mote" : "robot",
+             options.in_python ? "" : "build, ");
   return gateway::process::kDone;
 }
 

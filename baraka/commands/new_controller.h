@@ -9,6 +9,7 @@ namespace baraka::commands {
 struct NewControllerOptions {
   std::string name;            ///< Name of the program: a-z, 0-9 and _, a letter first.
   bool for_mote = false;       ///< True: for a mote; false: for a robot.
+  bool in_python = false;      ///< True: in Python; false: in C++.
   std::string from{};          ///< One of new_controller_models(); empty: the kind's bare template.
   std::filesystem::path to{};  ///< Parent of the project's folder; empty: the current folder.
 };

@@ -57,11 +57,13 @@ void add_new_controller(CLI::App& app, baraka::commands::NewControllerOptions& o
   add->add_option("NAME", options.name, "Name of the program: a-z, 0-9 and _")->required();
   CLI::Option* mote = add->add_flag("--mote", options.for_mote, "It drives motes");
   add->add_flag("--robot")->description("It drives robots (the default)")->excludes(mote);
+  CLI::Option* python = add->add_flag("--python", options.in_python, "In Python, not in C++");
   add->add_option(
          "--from", options.from,
          "Begin with a working example: two_turtlebots, robots that search and communicate")
       ->transform(gateway::process::one_of(baraka::commands::new_controller_models()))
-      ->excludes(mote);
+      ->excludes(mote)
+      ->excludes(python);
   add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
 }
 

@@ -16,12 +16,14 @@ std::string interpreter() {
   return named == nullptr || *named == '\0' ? "/usr/bin/python3" : named;
 }
 
-/// How the interpreter finds the package: in a build its main file, by its place.
+/// How the interpreter finds the package: its main file by its place, in a build or installation.
 std::vector<std::string> package_words() {
   std::error_code unreadable;
   const fs::path self = fs::read_symlink("/proc/self/exe", unreadable);
-  const fs::path main = self.parent_path() / "python/baraka/__main__.py";
-  if (!unreadable && fs::is_regular_file(main, unreadable)) return {main.string()};
+  for (const char* const place : {"python", "../lib/python3/dist-packages"}) {
+    const fs::path main = (self.parent_path() / place / "baraka/__main__.py").lexically_normal();
+    if (!unreadable && fs::is_regular_file(main, unreadable)) return {main.string()};
+  }
   return {"-m", "baraka"};
 }
 

@@ -20,6 +20,8 @@ from .values import (BodyWheel, Channel, Drive, Fate, Imu, InfraredReading, Mess
                      Priority, RobotBody, Route, Scan, Solid, Twist2, Vec2, Vec3)
 
 sys.modules["baraka.math"] = math  # for `from baraka.math import sin`
+for _one in (RealWorldObject, Mote, Robot, Network, RandomStream, PathMetric):
+    _one.__module__ = "baraka"  # where users find them
 
 
 def main(of_class, arguments=None):

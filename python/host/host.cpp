@@ -36,8 +36,8 @@ struct Owned {
   PyObject* object;
 };
 
-/// This library's own folder, which has `python/` in a build; in an installation the package is
-/// where Python looks anyway.
+/// This library's own folder, which has `python/` in a build. An installation in /usr has the
+/// package where Python looks anyway; another one has it beside this folder.
 fs::path own_folder() {
   Dl_info where{};
   if (dladdr(reinterpret_cast<const void*>(&own_folder), &where) == 0) return {};
@@ -59,8 +59,10 @@ void begin_python() {
   }
   Py_InitializeEx(0);  // signals stay the program's
   std::error_code ignored;
-  const fs::path package = own_folder() / "python";
-  if (fs::is_directory(package / "baraka", ignored)) look_in(package);
+  for (const char* const place : {"python", "../python3/dist-packages"}) {
+    const fs::path package = (own_folder() / place).lexically_normal();
+    if (fs::is_directory(package / "baraka", ignored)) look_in(package);
+  }
   PyEval_SaveThread();
 }
 
