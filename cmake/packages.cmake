@@ -51,6 +51,7 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION "controllers for BARAKA in Python
 `import baraka`, and `program: my_robot.py` in a scenario.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "baraka (= ${PROJECT_VERSION}), python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas, python3-matplotlib")  # results and figures
 
 set(CPACK_DEBIAN_DOC_PACKAGE_NAME baraka-doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)

@@ -20,7 +20,9 @@
 #include "hal/types/terminal_colours.h"
 #include "results/report/csv.h"
 #include "results/report/experiment_section.h"
+#include "results/report/paired_differences.h"
 #include "results/report/plot.h"
+#include "results/report/plot_json.h"
 #include "results/report/report.h"
 #include "results/report/report_page.h"
 #include "results/report/svg.h"
@@ -177,7 +179,12 @@ int report_figure(const results::report::Sources& sources, const ReportOptions& 
                hal::printable_lines(pairs_text(experiment, request)));
     return gateway::process::kDone;
   }
-  write_output(options.file, options.file.ends_with(".csv") ? csv_of(plot) : svg(plot));
+  if (options.file.ends_with(".json")) {
+    write_output(options.file, plot_json(plot, experiment.points.empty() ? "" : experiment.label(0),
+                                         results::report::paired_differences(experiment, request)));
+  } else {
+    write_output(options.file, options.file.ends_with(".csv") ? csv_of(plot) : svg(plot));
+  }
   for (const std::string& note : plot.notes) fmt::print("note: {}\n", hal::printable(note));
   fmt::print("figure: {}\n", options.file);
   return gateway::process::kDone;
@@ -187,11 +194,11 @@ int report_figure(const results::report::Sources& sources, const ReportOptions& 
 /// page or a drawing.
 void check_ending(const ReportOptions& options) {
   const std::string ending = std::filesystem::path(options.file).extension().string();
-  if (ending.empty() || ending == ".svg" || ending == ".csv") return;
+  if (ending.empty() || ending == ".svg" || ending == ".csv" || ending == ".json") return;
   const bool is_page = options.figure.empty();
   if (is_page && (ending == ".html" || ending == ".htm")) return;
   throw std::runtime_error(
-      fmt::format("-o {}: a figure is written as .svg or .csv{}", options.file,
+      fmt::format("-o {}: a figure is written as .svg, .csv or .json{}", options.file,
                   is_page ? ", the whole report as .html" : "; the page .html has all of them"));
 }
 
@@ -199,7 +206,8 @@ void check_ending(const ReportOptions& options) {
 
 int report(const ReportOptions& options) {
   check_ending(options);
-  const bool is_drawing = options.file.ends_with(".svg") || options.file.ends_with(".csv");
+  const bool is_drawing = options.file.ends_with(".svg") || options.file.ends_with(".csv") ||
+                          options.file.ends_with(".json");
   const bool is_page = !is_drawing && options.figure.empty() && !options.file.empty();
   const std::string page = is_page ? empty_page() : "";
   const results::report::Sources sources = read_all(options);

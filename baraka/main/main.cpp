@@ -121,7 +121,7 @@ void add_report(CLI::App& app, baraka::commands::ReportOptions& options) {
   add->add_option("DIR", options.folders, "Folders of results, or of a campaign")->required();
   add->add_option("-o", options.file,
                   "Write to this file, print no tables: a page with all figures (.html), one "
-                  "figure (.svg) or its data (.csv)");
+                  "figure (.svg) or its data (.csv, .json)");
   add->add_option("--figure", options.figure,
                   "One quantity of `baraka describe observables`, or one of the scenario's report");
   add->add_option("--versus", options.versus, "Key of the setting along the axis");

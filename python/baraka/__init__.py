@@ -15,6 +15,7 @@ import sys
 from ._hal import (EVERYONE, LAST_ADDRESS, NEIGHBOURS, CallError, ControllerFailed, Error, InvalidArgument, Mote,
                    Network, NotAvailable, NotConnected, PathMetric, ProtocolError, RandomStream, RealWorldObject,
                    Robot, Timeout, draw_route, math)
+from .analysis import AnalysisError, Campaign, Figure, Results, campaign, figure, results
 from .controller import Controller, Mistake, Parameter, Parameters, kind_of
 from .values import (BodyWheel, Channel, Drive, Fate, Imu, InfraredReading, Message, Neighbour, Odometry, Pose2,
                      Priority, RobotBody, Route, Scan, Solid, Twist2, Vec2, Vec3)

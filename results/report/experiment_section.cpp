@@ -7,10 +7,10 @@
 #include <set>
 #include <utility>
 
+#include "results/report/paired_differences.h"
 #include "results/report/plot_parts.h"
 #include "results/report/report_format.h"
 #include "results/report/text_table.h"
-#include "results/statistics/paired.h"
 #include "results/statistics/quantile.h"
 
 namespace results::report {
@@ -44,23 +44,6 @@ std::string head_text(const Experiment& experiment) {
 }
 
 std::string significant(double value) { return fmt::format("{:.6g}", value); }
-
-/// Values of the runs of the first point and of `point` that have equal seeds, as pairs, in the
-/// order of the first point's runs.
-std::vector<std::pair<double, double>> pairs_of(const Experiment& experiment, const Selected& of,
-                                                std::size_t point) {
-  std::vector<std::pair<double, double>> pairs;
-  for (const std::size_t first : experiment.points.front().runs) {
-    for (const std::size_t second : experiment.points[point].runs) {
-      if (experiment.runs[first].seed != experiment.runs[second].seed) continue;
-      if (of.values.contains(first) && of.values.contains(second)) {
-        pairs.emplace_back(of.values.at(first), of.values.at(second));
-        break;
-      }
-    }
-  }
-  return pairs;
-}
 
 std::string optional_text(const std::optional<double>& value) {
   return value ? significant(*value) : "-";
@@ -149,30 +132,18 @@ std::string plot_text(const Plot& plot) {
   return text;
 }
 
-std::string pairs_text(const Experiment& experiment, const sim::scenario::PlotRequest& asked) {
-  const sim::scenario::PlotRequest request = with_full_name(experiment, asked);
-  const auto of = select(experiment, request.plot, request.agent);
-  if (!of || experiment.points.size() < 2) return {};
+std::string pairs_text(const Experiment& experiment, const sim::scenario::PlotRequest& request) {
+  const std::vector<PairedDifference> differences = paired_differences(experiment, request);
+  if (differences.empty()) return {};
   TextTable table({"setting", "pairs", "difference", "95 % low", "high", "p", "correlation"});
-  bool is_empty = true;
-  for (std::size_t point = 1; point < experiment.points.size(); ++point) {
-    std::vector<double> first;
-    std::vector<double> second;
-    for (const auto& [a, b] : pairs_of(experiment, *of, point)) {
-      first.push_back(a);
-      second.push_back(b);
-    }
-    const auto pairs = statistics::compare_pairs(first, second, of->support);
-    if (!pairs) continue;
-    is_empty = false;
-    table.add_row({experiment.label(point), std::to_string(pairs->difference.count),
-                   significant(pairs->difference.mean), significant(pairs->interval.low),
-                   significant(pairs->interval.high), optional_text(pairs->p),
-                   optional_text(pairs->correlation)});
+  for (const auto& [setting, pairs] : differences) {
+    table.add_row({setting, std::to_string(pairs.difference.count),
+                   significant(pairs.difference.mean), significant(pairs.interval.low),
+                   significant(pairs.interval.high), optional_text(pairs.p),
+                   optional_text(pairs.correlation)});
   }
-  if (is_empty) return {};
-  return fmt::format("{}: difference to {}, runs with equal seeds in pairs\n{}", request.plot,
-                     experiment.label(0), table.text());
+  return fmt::format("{}: difference to {}, runs with equal seeds in pairs\n{}",
+                     with_full_name(experiment, request).plot, experiment.label(0), table.text());
 }
 
 std::string resamples_csv(const Experiment& experiment) {
