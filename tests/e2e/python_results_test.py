@@ -89,11 +89,11 @@ class Results(Case):
         scenario = ROOT / "config/scenarios/two_motes.yaml"
         self.run_baraka(scenario, "--controllers", "in-process")
         run = self.baraka.results(self.out)
-        for table in ("frames_sent", "agents", "run"):
+        for table in ("messages", "agents", "run"):
             self.assertEqual(len(run.table(table)), self.query(f"SELECT COUNT(*) FROM {table}")[0][0], table)
-        frames = run.table("frames_sent")
-        self.assertEqual(list(frames["at_ns"]), [row[0] for row in self.query("SELECT at_ns FROM frames_sent")])
-        self.assertEqual(frames.attrs["units"]["at_ns"], "ns")
+        messages = run.table("messages")
+        self.assertEqual(list(messages["sent_ns"]), [row[0] for row in self.query("SELECT sent_ns FROM messages")])
+        self.assertEqual(messages.attrs["units"]["sent_ns"], "ns")
         self.assertEqual(run.values()["fingerprint"], self.query("SELECT value FROM run WHERE key = 'fingerprint'")[0][0])
         self.assertEqual(self.study.table("runs").attrs["units"]["wall_s"], "s")
         self.assertEqual(set(self.study.runs()["state"]), {"done"})
