@@ -204,6 +204,14 @@ void check_ending(const ReportOptions& options) {
 
 }  // namespace
 
+std::string page_of(const std::string& folder) {
+  const std::string page = empty_page();
+  ReportOptions options;
+  options.folders = {folder};
+  const results::report::Sources sources = read_all(options);
+  return results::report::report_page(sources, case_study(sources.runs), page);
+}
+
 int report(const ReportOptions& options) {
   check_ending(options);
   const bool is_drawing = options.file.ends_with(".svg") || options.file.ends_with(".csv") ||

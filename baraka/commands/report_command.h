@@ -24,4 +24,8 @@ struct ReportOptions {
 /// @return exit status. @throws std::exception if something cannot be read, drawn or written.
 int report(const ReportOptions& options);
 
+/// The page of a result or campaign, as `report -o FILE.html` writes it.
+/// @throws std::exception  as report(); this installation has no page.
+std::string page_of(const std::string& folder);
+
 }  // namespace baraka::commands

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "baraka/campaign/campaign_command.h"
+#include "baraka/commands/capsule_command.h"
 #include "baraka/commands/check_command.h"
 #include "baraka/commands/describe_command.h"
 #include "baraka/commands/diff_command.h"
@@ -153,6 +154,20 @@ void add_export(CLI::App& app, baraka::commands::ExportOptions& options) {
                 "Describe the tables and columns of a result, or of this campaign");
 }
 
+void add_capsule(CLI::App& app, baraka::commands::CapsuleOptions& options) {
+  CLI::App* capsule = app.add_subcommand(
+      "capsule", "Pack a result or a campaign so that others can play it again (.tar.zst)");
+  capsule->add_option("DIR", options.folder, "Folder of a result or of a campaign")->required();
+  capsule->add_option("-o", options.file, "File to write")->required();
+  capsule->add_option("--add", options.added, "Further files, such as sources of controllers")
+      ->check(CLI::ExistingFile)
+      ->allow_extra_args(false);
+  capsule
+      ->add_option("--most-rows", options.most_rows,
+                   "Leave out the rows of tables that have more; default: 10000")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+}
+
 void add_diff(CLI::App& app, baraka::commands::DiffOptions& options) {
   CLI::App* diff = app.add_subcommand(
       "diff", "First difference between two runs; status 0: none, 1: there is one, 2: error");
@@ -240,6 +255,7 @@ struct Asked {
   baraka::commands::ReportOptions report;
   baraka::commands::ViewOptions view;
   baraka::commands::ExportOptions export_;
+  baraka::commands::CapsuleOptions capsule;
   baraka::commands::DiffOptions diff;
   baraka::commands::ExecOptions exec;
   baraka::commands::TopicOptions topic;
@@ -261,6 +277,7 @@ int act(const CLI::App& app, Asked& asked) {
   }
   if (app.got_subcommand("check")) return baraka::commands::check(asked.check);
   if (app.got_subcommand("describe")) return asked.describe.act();
+  if (app.got_subcommand("capsule")) return baraka::commands::capsule(asked.capsule);
   if (app.got_subcommand("diff")) return baraka::commands::diff(asked.diff);
   if (app.got_subcommand("exec")) baraka::commands::exec_inside(asked.exec);
   if (app.got_subcommand("export")) return baraka::commands::export_results(asked.export_);
@@ -294,6 +311,7 @@ int command(int argc, char** argv) {
   add_report(app, asked.report);
   add_view(app, asked.view);
   add_export(app, asked.export_);
+  add_capsule(app, asked.capsule);
   add_diff(app, asked.diff);
   add_exec(app, asked.exec);
   const std::vector<TopicCommand> topic_commands = add_topic(app, asked.topic);
