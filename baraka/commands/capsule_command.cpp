@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using results::capsule::CapsulePart;
-using results::capsule::Content;
+using results::capsule::Study;
 
 /// A Python file, and those beside it that it imports, directly and not.
 void add_python(const fs::path& file, std::set<fs::path>& files) {
@@ -42,7 +42,7 @@ void add_python(const fs::path& file, std::set<fs::path>& files) {
 }
 
 /// The controllers of a scenario as parts: Python with its text, programs by their digests.
-void add_controllers(Content& content, const std::set<std::string>& names) {
+void add_controllers(Study& content, const std::set<std::string>& names) {
   const auto folders = gateway::runtime::controller_folders();
   std::set<fs::path> python;
   for (const std::string& name : names) {
@@ -70,7 +70,7 @@ struct Needed {
   std::set<fs::path> inputs;
 };
 
-Needed needed_by(const Content& content, const fs::path& folder) {
+Needed needed_by(const Study& content, const fs::path& folder) {
   Needed needed;
   for (const auto& [name, text] : content.scenarios) {
     if (!name.starts_with("scenarios/")) continue;
@@ -103,7 +103,7 @@ void check_file(const std::string& file) {
 
 /// The files that a scenario reads, beside it in the capsule; those of one folder stay together, as
 /// one may name the other.
-void add_inputs(Content& content, const std::set<fs::path>& inputs) {
+void add_inputs(Study& content, const std::set<fs::path>& inputs) {
   std::map<fs::path, std::size_t> folders;
   for (const fs::path& file : inputs) {
     const std::size_t number = folders.emplace(file.parent_path(), folders.size()).first->second;
@@ -123,7 +123,7 @@ void add_inputs(Content& content, const std::set<fs::path>& inputs) {
 int capsule(const CapsuleOptions& options) {
   require_result(options.folder);
   check_file(options.file);
-  Content content = results::capsule::content_of(options.folder);
+  Study content = results::capsule::study_in(options.folder);
   const Needed needed = needed_by(content, options.folder);
   add_controllers(content, needed.controllers);
   add_inputs(content, needed.inputs);
