@@ -30,9 +30,9 @@ struct Movable {
   std::string name;
   std::variant<MovableBox, MovableCylinder, MovableSphere> form = MovableBox{};
   double mass = 1;       ///< kg, > 0
-  hal::Pose2 pose;       ///< At the start, world frame.
+  hal::Pose2 pose{};     ///< At the start, world frame.
   double elevation = 0;  ///< m, >= 0; of its lowest point above the ground at the start
-  hal::Vec2 velocity;    ///< m/s at the start, world frame
+  hal::Vec2 velocity{};  ///< m/s at the start, world frame
   double friction = 0.6;
   /// Of a sphere or cylinder: the force that keeps it rolling on a plane, as a share of its weight.
   double rolling_resistance = 0.01;
