@@ -16,7 +16,8 @@
 
 /// What physics costs, beside peer/ode/speed of the same n, m, spacing and model:
 ///
-///   physics_bench [n=12] [m=25] [model=0|1] [T=600] [spacing=2]   robots and motes in a yard
+///   physics_bench [n=12] [m=25] [b=0] [model=0|1] [T=600] [spacing=2]
+///                                       robots, motes and movable boxes of 0.25 m, 1 kg in a yard
 ///   physics_bench heap [model=0|1]                                slowest step in a heap of twenty
 ///
 /// model 0: jointed, 1: contact. The robots carry the peer's bodies (see peers_robot).
@@ -57,7 +58,7 @@ RobotDescription peers_robot(WheelLevel level) {
 }
 
 struct Options {
-  int n = 12, m = 25, model = 0;
+  int n = 12, m = 25, b = 0, model = 0;
   double seconds = 600, spacing = 2;
   bool heap = false;
 };
@@ -71,6 +72,7 @@ Options parse(int argc, char** argv) {
     const double value = equals == std::string_view::npos ? 1 : std::atof(argv[i] + equals + 1);
     if (key == "n") options.n = static_cast<int>(value);
     if (key == "m") options.m = static_cast<int>(value);
+    if (key == "b") options.b = static_cast<int>(value);
     if (key == "model") options.model = static_cast<int>(value);
     if (key == "T") options.seconds = value;
     if (key == "spacing") options.spacing = value;
@@ -81,25 +83,30 @@ Options parse(int argc, char** argv) {
 
 AgentId member(int i) { return AgentId{static_cast<std::uint16_t>(i + 1)}; }
 
-/// A grid in a walled yard, robots and motes mixed by a shuffle.
+void add_member(World& world, const Options& options, int i, const hal::Pose2& pose) {
+  const WheelLevel level = options.model == 1 ? WheelLevel::kContact : WheelLevel::kJointed;
+  if (i < options.n) return world.add_robot(member(i), peers_robot(level), pose);
+  if (i < options.n + options.m) return world.add_mote(member(i), {}, pose);
+  Movable box{.name = "box", .form = MovableBox{{0.25, 0.25, 0.25}}};
+  box.pose = pose;
+  world.add_movable(box);
+}
+
+/// A grid in a walled yard, robots, motes and boxes mixed by a shuffle.
 void populate(World& world, const Options& options, hal::RandomStream& random) {
-  const int all = options.n + options.m;
+  const int all = options.n + options.m + options.b;
   const int side = static_cast<int>(std::ceil(std::sqrt(all)));
   const double half = side * options.spacing / 2 + 1;
   std::vector<int> cells;
   for (int i = 0; i < side * side; ++i) cells.push_back(i);
   for (std::size_t i = cells.size() - 1; i > 0; --i)
     std::swap(cells[i], cells[random.below(static_cast<std::uint32_t>(i + 1))]);
-  const WheelLevel level = options.model == 1 ? WheelLevel::kContact : WheelLevel::kJointed;
   for (int i = 0; i < all; ++i) {
     const int cell = cells[static_cast<std::size_t>(i)];
     const hal::Pose2 pose{(cell % side - 0.5 * (side - 1)) * options.spacing,
                           (cell / side - 0.5 * (side - 1)) * options.spacing,
                           6.28 * random.uniform()};
-    if (i < options.n)
-      world.add_robot(member(i), peers_robot(level), pose);
-    else
-      world.add_mote(member(i), {}, pose);
+    add_member(world, options, i, pose);
   }
   world.add_wall({"east", {half, 0, 0.25}, {0.2, 2 * half, 0.5}});
   world.add_wall({"west", {-half, 0, 0.25}, {0.2, 2 * half, 0.5}});
@@ -131,9 +138,9 @@ void run_yard(const Options& options) {
   const int steps = static_cast<int>(100 * options.seconds);
   go(steps);
   const double used = user_seconds() - before;
-  fmt::print("n={} m={} model={} | user {:.3f} s, {:.1f} us/step | RTF {:.1f} | jams {}\n",
-             options.n, options.m, options.model, used, 1e6 * used / steps, options.seconds / used,
-             world.jammed_steps());
+  fmt::print("n={} m={} b={} model={} | user {:.3f} s, {:.1f} us/step | RTF {:.1f} | jams {}\n",
+             options.n, options.m, options.b, options.model, used, 1e6 * used / steps,
+             options.seconds / used, world.jammed_steps());
 }
 
 void run_heap(const Options& options) {

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "view/server/movables.h"
 #include "view/server/plain_integer.h"
 #include "view/server/tiles.h"
 #include "view/server/world.h"
@@ -110,6 +111,7 @@ std::optional<std::string> Run::of_agent(std::string_view kind, std::int64_t age
 std::optional<std::string> Run::tile(std::string_view kind, const Span& span) {
   constexpr std::string_view kSeries = "series:";
   if (kind == "poses") return poses_tile(*record_, span);
+  if (kind == "movables") return movables_tile(*record_, span);
   if (kind == "frames") return frames_tile(*record_, known_.frames, span);
   if (kind == "messages") return messages_tile(*record_, known_.messages, span);
   if (kind == "states") return states_tile(*record_, known_.states, span);

@@ -27,8 +27,8 @@ std::string tile_text(const Record& record, const Span& span, bool is_complete,
 bool is_complete(std::string_view tile);
 
 /// Kinds of tiles, besides the series of a run.
-inline constexpr std::array<std::string_view, 8> kKinds = {
-    "poses", "frames", "messages", "states", "events", "readings", "queues", "log"};
+inline constexpr std::array<std::string_view, 9> kKinds = {
+    "poses", "movables", "frames", "messages", "states", "events", "readings", "queues", "log"};
 
 /// Tiles by kind. If a table was not recorded, the tile has no rows.
 std::string poses_tile(Record& record, const Span& span);

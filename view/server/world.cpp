@@ -11,6 +11,7 @@
 #include "sim/agents/simulation_config.h"
 #include "view/server/channels.h"
 #include "view/server/json_text.h"
+#include "view/server/movables.h"
 #include "view/server/radio_range.h"
 #include "view/server/recorded.h"
 #include "view/server/series.h"
@@ -278,6 +279,10 @@ std::string world_json(Record* record, const Scenario* scenario, const std::stri
   Bounds bounds;
   const Standing standing =
       scenario != nullptr ? agents_of(*scenario, bounds) : agents_of(*record, bounds);
+  if (scenario != nullptr) {
+    for (const sim::physics::Movable& one : scenario->simulation.movables)
+      bounds.add(one.pose.x, one.pose.y);
+  }
   const Json walls = scenario != nullptr ? walls_of(*scenario, bounds) : walls_of(*record, bounds);
   JsonObject world;
   world.add("name", name);
@@ -291,6 +296,8 @@ std::string world_json(Record* record, const Scenario* scenario, const std::stri
       .add("shapes", standing.shapes)
       .add("channels", standing.channels)
       .add("walls", walls)
+      .add("movables",
+           scenario != nullptr ? movables_json(scenario->simulation) : movables_json(*record))
       .add("bounds", bounds.json())
       .json()
       .text;

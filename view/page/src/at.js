@@ -25,13 +25,13 @@ export function pieceAt(pieces, t) {
   return best;
 }
 
-// Rows of a tile by agent, in order of time; kept as long as the tile is.
+// Rows of a tile by agent, or by movable, in order of time; kept as long as the tile is.
 const indices = new WeakMap();
 function rowsByAgent(tile) {
   let index = indices.get(tile);
   if (!index) {
     index = new Map();
-    const agents = tile.columns.agent;
+    const agents = tile.columns.agent ?? tile.columns.movable;
     for (let row = 0; row < agents.length; row++) {
       const rows = index.get(agents[row]);
       if (rows) rows.push(row); else index.set(agents[row], [row]);
@@ -82,8 +82,8 @@ export function tableAt(changes, t) {
     : a.destination - b.destination || a.next_hop - b.next_hop));
 }
 
-/** An agent's pose at t: {x, y, theta}, or null. See posesAt for what is between two rows. */
-export function poseAt(pieces, agent, t, period) {
+// The rows around t of an agent or a movable: {before, after}, each {tile, row, at} or null.
+function rowsAround(pieces, agent, t) {
   let before = null;
   let after = null;
   for (const { tile, from } of pieces) {
@@ -94,6 +94,27 @@ export function poseAt(pieces, agent, t, period) {
     }
     if (after && from > t) break;
   }
+  return { before, after };
+}
+
+/** A movable's pose at t: {x, y, z, q: [w, x, y, z]}, or null. See posesAt for what is between two rows. */
+export function movableAt(pieces, movable, t, period) {
+  const { before, after } = rowsAround(pieces.filter(({ tile }) => tile.columns?.movable), movable, t);
+  if (!before && !after) return null;
+  const pose = ({ tile: { columns: c }, row }) => [c.x[row], c.y[row], c.z[row], c.qw[row], c.qx[row], c.qy[row], c.qz[row]];
+  const a = pose(before ?? after);
+  const b = pose(after ?? before);
+  const f = before && after ? shareOf(before.at, after.at, t, before.tile.complete ? period : 0) : 0;
+  // q and -q are the same rotation: the nearer one.
+  const side = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6] < 0 ? -1 : 1;
+  const [x, y, z, ...q] = a.map((value, k) => value + f * ((k > 2 ? side : 1) * b[k] - value));
+  const length = Math.hypot(...q);
+  return { x, y, z, q: q.map((value) => value / length) };
+}
+
+/** An agent's pose at t: {x, y, theta}, or null. See posesAt for what is between two rows. */
+export function poseAt(pieces, agent, t, period) {
+  const { before, after } = rowsAround(pieces, agent, t);
   if (!before && !after) return null;
   const pose = ({ tile: { columns }, row }) => ({ x: columns.x[row], y: columns.y[row], theta: columns.theta[row] });
   if (!before || !after) return pose(before ?? after);

@@ -17,9 +17,9 @@ namespace {
 /// What a name must end in to say its unit.
 std::string suffix_of(std::string_view unit) {
   static const std::map<std::string_view, std::string> suffixes = {
-      {"m", "_m"},     {"rad", "_rad"},   {"ns", "_ns"},     {"s", "_s"},
-      {"dBm", "_dbm"}, {"bit", "bits"},   {"byte", "bytes"}, {"J", "_j"},
-      {"dB", "_db"},   {"bit/s", "_bps"}, {"MHz", "_mhz"},   {"", ""}};
+      {"m", "_m"},     {"rad", "_rad"},   {"ns", "_ns"}, {"s", "_s"},   {"dBm", "_dbm"},
+      {"bit", "bits"}, {"byte", "bytes"}, {"J", "_j"},   {"dB", "_db"}, {"bit/s", "_bps"},
+      {"MHz", "_mhz"}, {"kg", "_kg"},     {"", ""}};
   return suffixes.at(unit);
 }
 
@@ -32,9 +32,10 @@ TEST(Schema, EveryNameCarriesItsUnitAndEveryColumnSaysWhatItIs) {
       EXPECT_TRUE(column.name.ends_with(suffix_of(column.unit))) << table.name << column.name;
       EXPECT_FALSE(column.meaning.empty()) << table.name << "." << column.name;
       // No number with a decimal point is without a unit, but those whose unit stands beside them,
-      // and the weights of routes, which are compared among themselves only.
+      // and the weights of routes, which are compared among themselves only, and quaternions.
       const bool has_unit = !column.unit.empty() || table.name == "recorded" ||
-                            table.name.starts_with("observable_") || column.name == "weight";
+                            table.name.starts_with("observable_") || column.name == "weight" ||
+                            table.name == "movable_poses";
       EXPECT_TRUE(has_unit || !column.type.starts_with("REAL")) << table.name << "." << column.name;
     }
   }

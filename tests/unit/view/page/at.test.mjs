@@ -129,3 +129,19 @@ test("A state is the last one that was named, also in an earlier tile", () => {
   assert.equal(at.stateAt(pieces, 1, 15), "GO");
   assert.equal(at.stateAt(pieces, 3, 15), null);
 });
+
+test("A movable turns and moves between two rows; of a turn and its opposite the nearer one counts", () => {
+  const names = ["movable", "at", "x", "y", "z", "qw", "qx", "qy", "qz"];
+  const half = Math.SQRT1_2;
+  const rows = [[0, 0, 0, 0, 1, 1, 0, 0, 0], [1, 0, 9, 9, 9, 1, 0, 0, 0], [0, second, 4, 0, 2, -half, 0, 0, -half]]; //  a quarter turn about z
+  const pieces = [piece(tileOf(0, 100 * second, Object.fromEntries(names.map((name, k) => [name, rows.map((row) => row[k])]))))];
+  const pose = at.movableAt(pieces, 0, 0.5 * second, second);
+  near(pose.x, 2);
+  near(pose.z, 1.5);
+  near(pose.q[0], Math.cos(Math.PI / 8)); //  half of the turn, not three quarters the other way
+  near(pose.q[3], Math.sin(Math.PI / 8));
+  near(at.movableAt(pieces, 0, 5 * second, second).x, 4);
+  near(at.movableAt(pieces, 1, 5 * second, second).y, 9);
+  assert.equal(at.movableAt(pieces, 2, 0, second), null);
+  assert.equal(at.movableAt([piece({ from: 0, to: 1, complete: true })], 0, 0, second), null);
+});

@@ -14,6 +14,7 @@ import { createDots } from "./dots.js";
 import { createGrid, createWalls } from "./ground.js";
 import { createLinks } from "./links.js";
 import { createMarks, many } from "./marks.js";
+import { createMovables } from "./movables.js";
 import { pointer } from "./pointer.js";
 import { createTrails } from "./trails.js";
 
@@ -43,14 +44,15 @@ function createScene(run, slots) {
   scene.add(new AmbientLight(0xffffff, 1.7), sun);
   const grid = createGrid(scene);
   const walls = createWalls(scene, run.world.walls ?? []);
+  const movables = createMovables(scene, run.world.movables ?? []);
   const links = createLinks(scene, run, slots);
   const trails = createTrails(scene, run, slots);
   const bodies = createBodies(scene, run.world);
   const dots = run.world.agents.length > many ? createDots(scene, run.world) : null;
-  return { scene, grid, walls, links, trails, bodies, dots,
+  return { scene, grid, walls, movables, links, trails, bodies, dots,
     recolour() {
       scene.background.set(colour("ground"));
-      for (const part of [grid, walls, links, trails, bodies, dots]) part?.recolour();
+      for (const part of [grid, walls, movables, links, trails, bodies, dots]) part?.recolour();
     } };
 }
 
@@ -129,6 +131,9 @@ export function createPane(parent, run, store) {
     if (ahead) run.rows("poses", state.t, state.t + ahead + period); //  asked for before they are needed
   }
 
+  // Without movables nothing is asked for.
+  const movableRows = (state) => (parts.movables.count ? run.rows("movables", state.t, state.t + period + 1) : []);
+
   const chosenSlot = ({ chosen }) => (chosen?.kind === "agent" && chosen.run === run.index ? slots.get(chosen.agent) : undefined);
 
   function draw(state) {
@@ -166,7 +171,7 @@ export function createPane(parent, run, store) {
   // Not drawn again if it is what it was: most of the time only marks move, and they are drawn over it.
   function drawScene(state, ratio) {
     const slot = chosenSlot(state);
-    const changed = [parts.grid.draw(camera), parts.links.draw(state, poses, slot), parts.trails.draw(state, poses, slot),
+    const changed = [parts.grid.draw(camera), parts.movables.draw(movableRows(state), state.t, period, camera), parts.links.draw(state, poses, slot), parts.trails.draw(state, poses, slot),
       parts.bodies.draw(poses, camera, marks), parts.dots?.draw(poses, camera, marks, ratio)].includes(true);
     parts.walls.draw(camera);
     const { elements } = camera.eye.matrixWorldInverse;
