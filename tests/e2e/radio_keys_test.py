@@ -177,6 +177,10 @@ class RadioKeys(Case):
         self.is_each([sent + 40 * math.log10(h) - 120 for h in (0.5, 1)], "antenna_height",
                      ["0.5 m", "1 m"], Run.rssi, radio=(*LOUD, "propagation: [{model: two_ray_ground}]"),
                      stations=[(0, TO_ALL, ""), (1000, None, "")], delta=1e-4)
+        # With the antennas on the ground both rays are equally long: (1 + R) of the field.
+        self.is_each([friis + 20 * math.log10(1 + r) for r in (-0.6, 0, 1)],
+                     "propagation: [{model: two_ray_interference, reflection: {}}]", [-0.6, 0, 1], Run.rssi,
+                     radio=(*LOUD, "antenna_height: 0 m"))
 
     def test_shadowing(self):
         links = [(0, TO_ALL, ""), *[(60 + 40 * i, None, "") for i in range(7)]]

@@ -14,6 +14,7 @@
 #include "sim/radio/channel/rician.h"
 #include "sim/radio/channel/shadowing.h"
 #include "sim/radio/channel/two_ray_ground.h"
+#include "sim/radio/channel/two_ray_interference.h"
 
 namespace sim::radio {
 
@@ -25,9 +26,9 @@ namespace sim::radio {
 ///   make(const FriisConfig&, air, ground)  its PathLoss
 ///
 /// Files can name all but the last one, by kModel.
-using PathLossConfig =
-    std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, TwoRayGroundConfig,
-                 ShadowingConfig, NakagamiConfig, RicianConfig, RayleighConfig, ForeignLawConfig>;
+using PathLossConfig = std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig,
+                                    TwoRayGroundConfig, TwoRayInterferenceConfig, ShadowingConfig,
+                                    NakagamiConfig, RicianConfig, RayleighConfig, ForeignLawConfig>;
 
 /// Number of those that files can name.
 inline constexpr std::size_t kNamedLaws = std::variant_size_v<PathLossConfig> - 1;
