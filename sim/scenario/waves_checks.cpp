@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "sim/radio/radio_config.h"
+#include "sim/scenario/measured_keys.h"
 
 namespace sim::scenario {
 namespace {
@@ -63,6 +64,10 @@ void check_waves(Mapping& in, const Scenario& scenario) {
   const radio::WavesConfig* const waves = radio::waves_of(scenario.simulation.radio);
   if (waves == nullptr) return;
   check_heights(in, scenario, waves->propagation);
+  for (const radio::PathLossConfig& loss : waves->propagation.chain) {
+    if (const auto* const measured = std::get_if<radio::MeasuredConfig>(&loss))
+      check_measured(in, scenario, *measured);
+  }
   if (waves->propagation.obstacles && !can_stop_waves(scenario, waves->propagation)) {
     in.within("radio").warn("obstacles",
                             "has no effect: there is no wall with a radio_loss, nor a body with "

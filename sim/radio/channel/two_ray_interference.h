@@ -29,7 +29,9 @@ std::unique_ptr<const PathLoss> make(const TwoRayInterferenceConfig& config,
 /// d1) / lambda) / d2|^2, at most Pt (T. S. Rappaport, "Wireless Communications", 2nd ed., 4.6,
 /// before the approximation for large distances). d2^2 = d1^2 + 4 ht hr, exact on a plane, with the
 /// heights of the antennas above the ground where each stands; one below the ground counts as on
-/// it. R is the same for all angles. Far away P falls with the fourth power if R = -1, else with
+/// it. R is the same for all angles. Where an
+/// antenna is not equal in all directions, the reflected ray has its gain towards the other one's
+/// image below the ground. Far away P falls with the fourth power if R = -1, else with
 /// the second.
 class TwoRayInterference final : public PathLoss {
  public:
