@@ -27,7 +27,7 @@ void write_link_trace(const std::filesystem::path& folder,
     if (!has_rows) write("from,to,time_s,rssi_dbm\n");
     has_rows = true;
     const double at = static_cast<double>(query.integer(2)) * 1e-9;
-    write(fmt::format("{},{},{},{}\n", query.text(0), query.text(1), at, query.real(3)));
+    write(fmt::format("{},{},{:.6f},{:.3f}\n", query.text(0), query.text(1), at, query.real(3)));
   }
   if (!has_rows) {
     throw std::runtime_error(

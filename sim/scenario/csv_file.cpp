@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kSpaces = " \t\r";
 constexpr std::uintmax_t kMostCsvBytes = 4U << 20U;
 
-/// @param place  "file:line", or of a text in YAML. @param has_columns  whether the column of a
+/// @param place  "file:line", or "row 7" of a key. @param has_columns  whether the column of a
 /// cell is appended.
 std::vector<CsvCell> csv_cells(std::string_view line, const std::string& place, bool has_columns) {
   std::vector<CsvCell> cells;
@@ -74,8 +74,11 @@ CsvTable read_csv(const fs::path& file, const std::string& key, Mapping& in) {
 
 CsvTable csv_of(const Key& key, std::string_view header, Mapping& in) {
   CsvTable table{.header = texts_of(csv_cells(header, {}, false)), .rows = {}};
-  for (const auto& text : in.texts(key))
-    add_row(table, csv_cells(text.text, text.place, false), std::string(key.name), in);
+  int number = 0;
+  for (const auto& text : in.texts(key)) {
+    const std::string place = fmt::format("row {}", ++number);
+    add_row(table, csv_cells(text.text, place, false), std::string(key.name), in);
+  }
   return table;
 }
 

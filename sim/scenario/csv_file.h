@@ -10,7 +10,7 @@
 
 namespace sim::scenario {
 
-/// A value of a CSV file, and where it is, for messages: "links.csv:7:12".
+/// A value of a CSV file, and where it is, for messages: "links.csv:7:12", or "row 7" of a key.
 struct CsvCell {
   std::string text;
   std::string place;

@@ -39,10 +39,10 @@ radio:
 agents:
   a: {name: a, station: {%s}, poses: [{x: 5 m, y: 0 m}], %s}
   b: {name: b, station: {}, poses: [{x: 0 m, y: 0 m}], %s}
-end: [{at: 20 s, result: done}]
+end: [{at: 60 s, result: done}]
 """
 # From 5 m to 65 m and back.
-PATH = "path: {waypoints: {points: [{x: 65 m, y: 0 m}, {x: 5 m, y: 0 m}], speed: 6 m/s}}"
+PATH = "path: {waypoints: {points: [{x: 65 m, y: 0 m}, {x: 5 m, y: 0 m}], speed: 2 m/s}}"
 
 
 class Channels(Case):
@@ -93,7 +93,7 @@ class Channels(Case):
 
     def throughput(self):
         """Mb/s of the sink."""
-        return self.query("SELECT sum(count) FROM packets JOIN agents USING (agent) WHERE name = 'b'")[0][0] * 8e3 / 20e6
+        return self.query("SELECT sum(count) FROM packets JOIN agents USING (agent) WHERE name = 'b'")[0][0] * 8e3 / 60e6
 
     def test_a_drive_that_is_played_has_its_throughput(self):
         law = "{model: log_distance, exponent: 3}, {model: shadowing, sigma: 3 dB, decorrelation_distance: 5 m}"

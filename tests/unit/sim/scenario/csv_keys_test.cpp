@@ -164,7 +164,7 @@ TEST_F(CsvKeys, SayWhatIsWrongWithLossesAndWhere) {
   expect_in(mistakes_of_links(header + "a,b,70\n", ", tx_power: 16 dBm"), "there are losses");
   expect_in(mistakes_of("propagation: [{model: measured}]"), "measured needs `file` or `rows`");
   expect_in(mistakes_of("propagation: [{model: measured, rows: ['a,b,-1']}]"),
-            "s.yaml:2:73: loss_db: '-1' is not a number");
+            "row 1: loss_db: '-1' is not a number");
 }
 
 }  // namespace
