@@ -19,6 +19,7 @@
 #include "results/record/description.h"
 #include "results/record/run_reader.h"
 #include "results/report/csv.h"
+#include "results/report/link_trace.h"
 #include "results/report/mcap_export.h"
 
 namespace baraka::commands {
@@ -73,6 +74,16 @@ int export_mcap(const ExportOptions& options) {
   return gateway::process::kDone;
 }
 
+int export_links(const ExportOptions& options) {
+  std::string rows;
+  results::report::write_link_trace(options.folder,
+                                    [&rows](std::string_view text) { rows += text; });
+  OutputFile output(options.file);
+  output.write(rows);
+  output.finish();
+  return gateway::process::kDone;
+}
+
 /// Whether everything is exported (--format without a table).
 bool is_whole(const ExportOptions& options) {
   return options.format == "mcap" || (options.format == "csv" && options.table.empty());
@@ -87,6 +98,9 @@ void check_format(const ExportOptions& options, bool is_campaign) {
   if (options.format == "mcap" && is_campaign) {
     throw gateway::process::UsageError(
         "export: an MCAP file is of one run, and this is a campaign; its runs lie below");
+  }
+  if (options.format == "links" && (is_campaign || !options.table.empty())) {
+    throw gateway::process::UsageError("export: --format links is of one run, and has no TABLE");
   }
   if (is_whole(options) && options.file.empty()) {
     throw gateway::process::UsageError(options.format == "csv"
@@ -169,6 +183,7 @@ int export_results(const ExportOptions& options) {
                     hal::printable(options.folder)));
   }
   if (options.format == "mcap") return export_mcap(options);
+  if (options.format == "links") return export_links(options);
   if (is_whole(options)) return export_tables(options, results::record::tables(), options.folder);
   return export_table(options);
 }

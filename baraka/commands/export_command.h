@@ -9,7 +9,8 @@ struct ExportOptions {
   std::string folder;  ///< Folder of a result or of a campaign.
   std::string table;   ///< Empty: list the tables.
   std::string file;    ///< Empty: standard output. For all tables: the folder to write to.
-  std::string format;  ///< "csv": all tables; "mcap": one file of messages; empty: one table.
+  std::string format;  ///< "csv": all tables; "mcap": one file of messages; "links":
+                       ///< received powers for the law `measured`; empty: one table.
   bool describe = false;
 };
 

@@ -63,6 +63,7 @@ constexpr const char* kReading = R"(## Reading them
     baraka export DIR TABLE           one table as CSV (RFC 4180); -o FILE writes it to a file
     baraka export DIR --format csv -o FOLDER      all of them
     baraka export DIR --format mcap -o FILE       for Foxglove, PlotJuggler and RViz (viewers.md)
+    baraka export DIR --format links -o FILE      received powers, for `propagation: [{model: measured}]`
     baraka export --describe          this page
     sqlite3 DIR/run.sqlite .schema    the tables with these meanings as comments
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hal/types/math.h"
+
 namespace sim::agents {
 namespace {
 
@@ -133,6 +135,13 @@ hal::Vec3 AgentPositions::velocity(hal::AgentId agent, hal::Time at) const {
   const hal::Vec2& velocity = state.velocity;
   const hal::Vec3 normal = ground_.normal(state.position);
   return {velocity.x, velocity.y, -(normal.x * velocity.x + normal.y * velocity.y) / normal.z};
+}
+
+std::array<double, 4> AgentPositions::attitude(hal::AgentId agent, hal::Time at) const {
+  const Path* const path = paths_.find(agent);
+  if (path == nullptr) return world_.pose(agent).quaternion;
+  const double half = path->at(at).heading / 2;
+  return {hal::math::cos(half), 0, 0, hal::math::sin(half)};
 }
 
 hal::Time AgentPositions::valid_until(hal::AgentId agent, hal::Time at) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -76,6 +77,8 @@ class AgentPositions final : public radio::Positions {
 
   hal::Vec3 position(hal::AgentId agent, hal::Time at) const override;
   hal::Vec3 velocity(hal::AgentId agent, hal::Time at) const override;
+  /// Of a path, upright with its heading.
+  std::array<double, 4> attitude(hal::AgentId agent, hal::Time at) const override;
   hal::Time valid_until(hal::AgentId agent, hal::Time at) const override;
   /// A path does, a body does not.
   bool remembers(hal::AgentId agent) const override { return paths_.find(agent) != nullptr; }

@@ -53,17 +53,38 @@ void check_station(const RadioConfig& config, const RadioNetwork::Station& stati
 
 double ratio(hal::Decibels gain) { return hal::math::pow(10, gain.value / 10); }
 
+/// Null: equal in all directions.
+std::shared_ptr<const AntennaPattern> pattern_of(const AntennaConfig& config) {
+  if (std::holds_alternative<OmniAntenna>(config)) return nullptr;
+  return std::make_shared<const AntennaPattern>(config);
+}
+
 Neighbourhood::Antenna antenna(const RadioNetwork::Station& station, const RadioConfig& config,
                                std::uint64_t seed) {
   const WavesConfig* const waves = waves_of(config);
   const hal::Metres height = waves ? waves->propagation.antenna_height : hal::Metres{};
   const hal::Decibels gain = waves ? waves->propagation.antenna_gain : hal::Decibels{};
+  const AntennaConfig pattern = waves ? waves->propagation.antenna : AntennaConfig{};
   return {.agent = station.agent,
           .tx_power = station.radio.tx_power.value_or(tx_power(config)),
           .height = station.radio.antenna_height.value_or(height).value,
           .name = hal::RandomStream(seed, station.name + "/propagation").next(),
           .gain = ratio(station.radio.antenna_gain.value_or(gain)),
-          .most_power = station.most_power};
+          .most_power = station.most_power,
+          .pattern = pattern_of(station.radio.antenna.value_or(pattern))};
+}
+
+/// Tells the laws that know stations by name which they are.
+RadioConfig with_names(RadioConfig config, const std::vector<RadioNetwork::Station>& stations) {
+  WavesConfig* const waves = waves_of(config);
+  if (waves == nullptr) return config;
+  for (PathLossConfig& law : waves->propagation.chain) {
+    auto* const measured = std::get_if<MeasuredConfig>(&law);
+    if (measured == nullptr) continue;
+    for (const auto& station : stations)
+      measured->stations.emplace_back(station.agent, station.name);
+  }
+  return config;
 }
 
 /// Channel number of a station; 0 in profiles without a medium, which have no channels.
@@ -113,7 +134,9 @@ struct RadioNetwork::State {
   };
 
   State(const RadioConfig& wanted, std::vector<Station> sorted, Surroundings around)
-      : config(checked(wanted)), stations(std::move(sorted)), surroundings(around) {
+      : config(with_names(checked(wanted), sorted)),
+        stations(std::move(sorted)),
+        surroundings(around) {
     for (const Station& station : stations) {
       check_station(config, station);
       Air& air = air_of(channel_of(station, config));
@@ -170,6 +193,7 @@ struct RadioNetwork::State {
     settings.tx_power.reset();
     settings.antenna_height.reset();
     settings.antenna_gain.reset();
+    settings.antenna.reset();
     settings.access_points.reset();
     if (waves_of(config) != nullptr) settings.channel = air.channel;
     const auto found = std::ranges::find_if(

@@ -218,8 +218,8 @@ void ask_station(Rules& rules, const RadioConfig& config, const StationConfig& c
   rules.ask(!c.tx_power || c.tx_power->value > 0, "tx_power", "must be positive");
   rules.ask(!c.antenna_height || c.antenna_height->value >= 0, "antenna_height",
             "must be 0 or more");
-  rules.ask(known || (!c.channel && !c.antenna_gain && !c.data_rate && !c.control_rate &&
-                      !c.broadcast_rate && !c.mcs && !c.streams && !c.width),
+  rules.ask(known || (!c.channel && !c.antenna_gain && !c.antenna && !c.data_rate &&
+                      !c.control_rate && !c.broadcast_rate && !c.mcs && !c.streams && !c.width),
             "channel", "is not for stations without waves, nor are gain and rates");
   ask_station_standard(rules, config, c);
   if (!known || !rules.is_empty()) return;

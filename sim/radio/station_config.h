@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/types/quantity.h"
+#include "sim/radio/channel/antenna.h"
 #include "sim/radio/standard.h"
 
 namespace sim::radio {
@@ -14,7 +15,8 @@ namespace sim::radio {
 struct StationConfig {
   std::optional<hal::Milliwatts> tx_power{};    ///< Power into the antenna, > 0.
   std::optional<hal::Metres> antenna_height{};  ///< Above the station's position, >= 0.
-  std::optional<hal::Decibels> antenna_gain{};  ///< Equal in all directions.
+  std::optional<hal::Decibels> antenna_gain{};  ///< In all directions, or times that of `antenna`.
+  std::optional<AntennaConfig> antenna{};       ///< Gain by direction.
   /// In the band of the network.
   std::optional<std::uint32_t> channel{};
   /// In a network of ieee80211g or newer: that or an older one that exists in the band.

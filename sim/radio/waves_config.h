@@ -9,6 +9,7 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/core/obstacle_loss.h"
+#include "sim/radio/channel/antenna.h"
 #include "sim/radio/channel/channel_number.h"
 #include "sim/radio/channel/loss_config.h"
 #include "sim/radio/channel/path_loss_config.h"
@@ -66,8 +67,10 @@ struct PropagationConfig {
   double path_loss_exponent = 2;  ///< Exponent of PowerLawConfig, >= 1; reference distance 1 m.
   /// Exactly one of them is a law of distance.
   std::vector<PathLossConfig> chain{PowerLawConfig{}};
-  hal::Metres antenna_height{0.1};   ///< Above the body's origin; default for stations.
-  hal::Decibels antenna_gain{0};     ///< Isotropic; default for stations.
+  hal::Metres antenna_height{0.1};  ///< Above the body's origin; default for stations.
+  hal::Decibels antenna_gain{
+      0};  ///< In all directions, or times that of `antenna`; default for stations.
+  AntennaConfig antenna{};           ///< Default for stations.
   bool propagation_delay = false;    ///< Delay of distance over 299792458 m/s, else 0.
   bool obstacles = false;            ///< Walls attenuate, and so do bodies that have a loss.
   ObstacleLoss body_loss{};          ///< Loss through a robot or mote, with `obstacles`.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/radio/radio_rules.h"
+#include "sim/scenario/measured_keys.h"
 
 namespace sim::scenario {
 namespace {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "sim/radio/radio_config.h"
+#include "sim/scenario/antenna_keys.h"
 #include "sim/scenario/fields.h"
 
 /// The keys of a radio. Each part of a profile has a function that reads or writes its keys through
@@ -63,6 +64,7 @@ inline void keys_of(Fields& io, radio::PropagationConfig& c) {
       {"antenna_gain",
        "Gain of the antennas, the same in all directions, for transmission and reception.", "2 dB"},
       "dB", kAntennaGain, c.antenna_gain);
+  antenna_key(io, c.antenna);
   io.flag({"obstacles",
            "Whether walls and bodies attenuate: walls by their `radio_loss`, bodies by the two "
            "keys below.",

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "sim/radio/radio_rules.h"
+#include "sim/scenario/antenna_keys.h"
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/ht_keys.h"
 #include "sim/scenario/override_agents.h"
@@ -59,6 +60,7 @@ void antenna_keys(Fields& io, StationConfig& c) {
        "Antenna gain of these agents, the same in all directions, for transmission and reception.",
        "5 dB", kOfRadio},
       "dB", kAntennaGain, c.antenna_gain);
+  antenna_key(io, c.antenna);
   io.given_count({"channel",
                   "Number of the channel of these agents. Agents on different channels neither "
                   "receive nor disturb each other.",

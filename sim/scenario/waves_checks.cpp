@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <variant>
 
 #include "sim/radio/radio_config.h"
+#include "sim/scenario/measured_keys.h"
 
 namespace sim::scenario {
 namespace {
@@ -14,13 +16,21 @@ using agents::AgentConfig;
 using hal::files::config::Mapping;
 using radio::PropagationConfig;
 
-bool has_two_rays(const PropagationConfig& propagation) {
-  return std::ranges::any_of(propagation.chain, [](const radio::PathLossConfig& loss) {
-    return std::holds_alternative<radio::TwoRayGroundConfig>(loss);
-  });
+/// The law in whose chain the ray reflected from the ground cancels that of an antenna on it;
+/// empty: none.
+std::string_view cancelling_law(const PropagationConfig& propagation) {
+  for (const radio::PathLossConfig& loss : propagation.chain) {
+    const auto* const rays = std::get_if<radio::TwoRayInterferenceConfig>(&loss);
+    const bool cancels = std::holds_alternative<radio::TwoRayGroundConfig>(loss) ||
+                         (rays != nullptr && rays->reflection == -1);
+    if (cancels) return radio::model_of(loss);
+  }
+  return {};
 }
 
 void check_heights(Mapping& in, const Scenario& scenario, const PropagationConfig& propagation) {
+  const std::string_view law = cancelling_law(propagation);
+  if (law.empty()) return;
   constexpr const char* kHeight = "antenna_height";
   const auto& agents = scenario.simulation.agents;
   const auto on_ground = [&](const AgentConfig& agent) {
@@ -29,9 +39,9 @@ void check_heights(Mapping& in, const Scenario& scenario, const PropagationConfi
   const auto found = std::ranges::find_if(agents, on_ground);
   if (found == agents.end()) return;
   const std::string mistake = fmt::format(
-      "is 0 m of '{}': with the model two_ray_ground, the ray reflected from the ground cancels "
+      "is 0 m of '{}': with the model {}, the ray reflected from the ground cancels "
       "the direct one, and no frame from there is received; must be above 0 m",
-      found->name);
+      found->name, law);
   if (!found->radio.antenna_height) return in.within("radio").mistake(kHeight, mistake);
   const auto group = std::ranges::find_if(scenario.groups, [&](const Group& one) {
     return std::ranges::find(one.agents, found->id) != one.agents.end();
@@ -56,7 +66,11 @@ bool can_stop_waves(const Scenario& scenario, const PropagationConfig& propagati
 void check_waves(Mapping& in, const Scenario& scenario) {
   const radio::WavesConfig* const waves = radio::waves_of(scenario.simulation.radio);
   if (waves == nullptr) return;
-  if (has_two_rays(waves->propagation)) check_heights(in, scenario, waves->propagation);
+  check_heights(in, scenario, waves->propagation);
+  for (const radio::PathLossConfig& loss : waves->propagation.chain) {
+    if (const auto* const measured = std::get_if<radio::MeasuredConfig>(&loss))
+      check_measured(in, scenario, *measured);
+  }
   if (waves->propagation.obstacles && !can_stop_waves(scenario, waves->propagation)) {
     in.within("radio").warn(
         "obstacles",

@@ -43,6 +43,8 @@ class WhatCannotRun(Case):
          r"stop: is not after `start`: it would never count"),
         (SATURATION, ["radio.propagation=[{model: two_ray_ground}]", "radio.antenna_height=0 m"],
          r"is 0 m of 'sink': with the model two_ray_ground"),
+        (SATURATION, ["radio.propagation=[{model: two_ray_interference}]", "radio.antenna_height=0 m"],
+         r"is 0 m of 'sink': with the model two_ray_interference"),
         (TWO_MOTES, ["agents.motes.controller.parameters={help_at: 1e300 s}"],
          r"help_at: 1e300 s is above the limit of 1000000000 s"),
     ]

@@ -177,6 +177,52 @@ class RadioKeys(Case):
         self.is_each([sent + 40 * math.log10(h) - 120 for h in (0.5, 1)], "antenna_height",
                      ["0.5 m", "1 m"], Run.rssi, radio=(*LOUD, "propagation: [{model: two_ray_ground}]"),
                      stations=[(0, TO_ALL, ""), (1000, None, "")], delta=1e-4)
+        # With the antennas on the ground both rays are equally long: (1 + R) of the field.
+        self.is_each([friis + 20 * math.log10(1 + r) for r in (-0.6, 0, 1)],
+                     "propagation: [{model: two_ray_interference, reflection: {}}]", [-0.6, 0, 1], Run.rssi,
+                     radio=(*LOUD, "antenna_height: 0 m"))
+
+    def test_antennas_by_direction(self):
+        # Antenna a looks at b with its front, b at a with its back.
+        friis = 10 * math.log10(40) + 20 * math.log10(299792458 / 2.412e9 / (4 * math.pi * 100))
+
+        def is_each(losses, key, values):
+            self.is_each([friis - loss for loss in losses], f"antenna: {{{key}}}", values, Run.rssi, radio=LOUD,
+                         delta=1e-3)
+
+        is_each([0, -4.302], "pattern: {}", ["omni", "dipole"])
+        is_each([20, 9], "pattern: beam, back: {}", ["20 dB", "9 dB"])
+        is_each([20, 23], "pattern: beam, width: 20 deg, azimuth: {}", ["180 deg", "170 deg"])
+        is_each([23, 20.75], "pattern: beam, azimuth: 170 deg, width: {}", ["20 deg", "40 deg"])
+        is_each([20, 23], "pattern: beam, azimuth: 180 deg, height: 20 deg, elevation: {}", ["0 deg", "10 deg"])
+        is_each([23, 20.75], "pattern: beam, azimuth: 180 deg, elevation: 10 deg, height: {}", ["20 deg", "40 deg"])
+        is_each([-6, 4], "pattern: table, rows: {}", ["['0,0,3']", "['0,0,3', '180,0,-7']"])
+        for name, gain in (("one.csv", 3), ("two.csv", -2)):
+            (self.folder / name).write_text(f"azimuth_deg,elevation_deg,gain_dbi\n0,0,{gain}\n")
+        is_each([-6, 4], "pattern: table, file: {}", ["one.csv", "two.csv"])
+        own = [self.play(("profile: ieee80211b",), [(0, TO_B, key), (100, None, "")]).rssi()
+               for key in ("", "antenna: {pattern: dipole}")]
+        self.assertAlmostEqual(own[1] - own[0], 2.151, delta=1e-3)
+
+    def test_measured_losses(self):
+        sent = 10 * math.log10(40)
+        self.is_each([sent - 80, sent - 90], "propagation: [{model: measured, rows: {}}]", ["['a,b,80']", "['b,a,90']"],
+                     Run.rssi, radio=LOUD)
+        for name, level in (("one.csv", -70), ("two.csv", -75)):
+            (self.folder / name).write_text(f"from,to,rssi_dbm\na,b,{level}\n")
+        self.is_each([sent - 90, sent - 95], "propagation: [{model: measured, file: {}, tx_power: 20 dBm}]",
+                     ["one.csv", "two.csv"], Run.rssi, radio=LOUD)
+        ramp = "propagation: [{model: measured, rows: ['a,b,0,80', 'a,b,0.3,110'], between: {}}]"
+        found = self.compare(ramp, ["hold", "linear"], Run.changes, radio=LOUD)
+        self.assertEqual(found[0], 0)
+        self.assertGreater(found[1], 10)
+        gap = "propagation: [{model: measured, rows: ['a,b,0,80', 'a,b,0.2,80'], silence: {}}]"
+        self.falls(gap, ["none", "0.15 s"], Run.received, radio=LOUD)
+        friis = sent + 20 * math.log10(299792458 / 2.412e9 / (4 * math.pi * 100))
+        self.is_each([friis, sent - 46.6777 - 60],
+                     "propagation: [{model: measured, rows: ['a,c,80'], otherwise: {model: {}}}]",
+                     ["friis", "log_distance"], Run.rssi, radio=LOUD,
+                     stations=[(0, TO_ALL, ""), (100, None, ""), (200, None, "")])
 
     def test_shadowing(self):
         links = [(0, TO_ALL, ""), *[(60 + 40 * i, None, "") for i in range(7)]]

@@ -13,15 +13,20 @@ namespace {
 /// range to skip.
 constexpr double kMarginShare = 0.1;
 
+/// Where it is best.
+double most_gain(const Neighbourhood::Antenna& antenna) {
+  return antenna.pattern == nullptr ? antenna.gain : antenna.gain * antenna.pattern->most();
+}
+
 /// Range of the strongest transmitter [m]; above 0, so that there is a grid even without stations.
 double longest_reach(const Propagation& propagation,
                      const std::vector<Neighbourhood::Antenna>& antennas) {
   double reach = 1;
   double best_gain = 0;
-  for (const auto& antenna : antennas) best_gain = std::max(best_gain, antenna.gain);
+  for (const auto& antenna : antennas) best_gain = std::max(best_gain, most_gain(antenna));
   for (const auto& antenna : antennas) {
     const hal::Milliwatts most = std::max(antenna.tx_power, antenna.most_power);
-    reach = std::max(reach, propagation.reach(best_gain * antenna.gain * most));
+    reach = std::max(reach, propagation.reach(best_gain * most_gain(antenna) * most));
   }
   return reach;
 }
@@ -42,6 +47,9 @@ Neighbourhood::Neighbourhood(EventQueue& events, const Positions& positions,
       propagation_(propagation),
       reach_(longest_reach(propagation, antennas)),
       margin_(kMarginShare * reach_),
+      may_ask_(
+          propagation.falls_with_distance() &&
+          std::ranges::all_of(antennas, [](const auto& one) { return one.pattern == nullptr; })),
       longest_delay_(delay_at(propagation, reach_)),
       grid_((reach_ + 2 * margin_) / kCellsInReach) {
   stations_.reserve(antennas.size());
@@ -60,8 +68,12 @@ void Neighbourhood::add(const Antenna& antenna) {
        .max_speed = positions_.max_speed(agent)});
   Station& station = stations_.back();
   // Where a station stands, its links hardly change: then it costs less to add their frames.
-  station.is_asking =
-      propagation_.falls_with_distance() && station.max_speed > 0 && positions_.remembers(agent);
+  station.is_asking = may_ask_ && station.max_speed > 0 && positions_.remembers(agent);
+  if (antenna.pattern != nullptr) {
+    station.directed = std::make_unique<DirectedAntenna>(*antenna.pattern,
+                                                         positions_.attitude(agent, events_.now()));
+    station.site.directed = station.directed.get();
+  }
   BARAKA_CHECK(std::isfinite(station.max_speed) && station.max_speed >= 0);
   grid_.put(index, {station.site.position.x, station.site.position.y});
   links_.emplace_back();
@@ -122,7 +134,9 @@ void Neighbourhood::refresh(Station& station) {
   if (now < station.valid_until) return;
   const hal::Vec3 position = positions_.position(station.site.agent, now);
   station.valid_until = positions_.valid_until(station.site.agent, now);
-  if (position == station.site.position) return;
+  const bool has_turned = station.directed != nullptr &&
+                          station.directed->turn(positions_.attitude(station.site.agent, now));
+  if (position == station.site.position && !has_turned) return;
   station.site.position = position;
   ++station.moves;
 }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/core/cell_grid.h"
 #include "sim/core/event_queue.h"
+#include "sim/radio/channel/antenna.h"
 #include "sim/radio/channel/links.h"
 #include "sim/radio/channel/ports.h"
 #include "sim/radio/channel/propagation.h"
@@ -23,12 +25,13 @@ struct Departure {
 };
 
 /// Links between stations: which stations can sense each other's frames, and with which power.
-/// Positions are read when a frame starts; links of stations that have not moved since are not
-/// computed again. Moving stations are assigned to their new cell by an event: a station is checked
-/// again before it can have left its cell by more than a margin, and links are kept to all stations
-/// whose cells are nearer than the range plus twice the margin. A station that changes its cell
-/// collects its links again; it is removed from the links of stations that it leaves and added to
-/// those of stations that it approaches.
+/// Positions are read when a frame starts; links of stations that have not moved since, or turned
+/// with an antenna that is not equal in all directions, are not computed again. Moving stations are
+/// assigned to their new cell by an event: a station is checked again before it can have left its
+/// cell by more than a margin, and links are kept to all stations whose cells are nearer than the
+/// range plus twice the margin. A station that changes its cell collects its links again; it is
+/// removed from the links of stations that it leaves and added to those of stations that it
+/// approaches.
 class Neighbourhood {
  public:
   struct Antenna {
@@ -38,6 +41,7 @@ class Neighbourhood {
     std::uint64_t name = 0;        ///< As in Site::name.
     double gain = 1;               ///< Ratio, for transmission and reception.
     hal::Milliwatts most_power{};  ///< Largest power for set_tx_power(), if above `tx_power`.
+    std::shared_ptr<const AntennaPattern> pattern{};  ///< Times `gain`. Null: 1 in all directions.
   };
   /// @param antennas  in ascending order of agents; the index into it is the StationIndex.
   Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
@@ -99,6 +103,7 @@ class Neighbourhood {
     std::uint32_t moves = 1;
     bool is_out_of_date = true;  ///< Its links are: its neighbourhood has changed.
     bool is_asking = false;
+    std::unique_ptr<DirectedAntenna> directed{};  ///< Null: equal in all directions.
   };
 
   void add(const Antenna& antenna);
@@ -130,6 +135,7 @@ class Neighbourhood {
   const Propagation& propagation_;
   double reach_;   ///< Range of the strongest transmitter [m].
   double margin_;  ///< m
+  bool may_ask_;   ///< Power depends on nothing but the distance.
   hal::Duration longest_delay_;
   CellGrid grid_;
   std::vector<Station> stations_;

@@ -13,6 +13,7 @@
 namespace sim::radio {
 
 struct PropagationConfig;
+class DirectedAntenna;
 
 /// Kind of an entry in a propagation chain. Each model has its kind in `kKind` and its name in
 /// files in `kModel`.
@@ -36,6 +37,7 @@ struct Site {
   double height;
   std::uint64_t name;  ///< Of the station, with the run's seed: names the randomness of its links.
   hal::AgentId agent;
+  const DirectedAntenna* directed = nullptr;  ///< Null: equal in all directions.
 };
 
 /// From one antenna to another, at an instant. World frame, m.

@@ -7,6 +7,7 @@
 #include "sim/radio/channel/foreign_law.h"
 #include "sim/radio/channel/friis.h"
 #include "sim/radio/channel/log_distance.h"
+#include "sim/radio/channel/measured.h"
 #include "sim/radio/channel/nakagami.h"
 #include "sim/radio/channel/path_loss.h"
 #include "sim/radio/channel/power_law.h"
@@ -14,6 +15,7 @@
 #include "sim/radio/channel/rician.h"
 #include "sim/radio/channel/shadowing.h"
 #include "sim/radio/channel/two_ray_ground.h"
+#include "sim/radio/channel/two_ray_interference.h"
 
 namespace sim::radio {
 
@@ -27,7 +29,8 @@ namespace sim::radio {
 /// Files can name all but the last one, by kModel.
 using PathLossConfig =
     std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, TwoRayGroundConfig,
-                 ShadowingConfig, NakagamiConfig, RicianConfig, RayleighConfig, ForeignLawConfig>;
+                 TwoRayInterferenceConfig, MeasuredConfig, ShadowingConfig, NakagamiConfig,
+                 RicianConfig, RayleighConfig, ForeignLawConfig>;
 
 /// Number of those that files can name.
 inline constexpr std::size_t kNamedLaws = std::variant_size_v<PathLossConfig> - 1;

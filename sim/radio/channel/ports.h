@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
@@ -14,7 +16,13 @@ class Positions {
   virtual ~Positions() = default;
   virtual hal::Vec3 position(hal::AgentId agent, hal::Time at) const = 0;
   virtual hal::Vec3 velocity(hal::AgentId agent, hal::Time at) const = 0;  ///< m/s
-  /// The position at `at` holds at least until this time (exclusive); Time::max(): it never moves.
+  /// Turns the agent's frame, x ahead and z upwards, into that of the world: a unit quaternion, w,
+  /// x, y, z. Asked for only where antennas are not equal in all directions.
+  virtual std::array<double, 4> attitude(hal::AgentId /*agent*/, hal::Time /*at*/) const {
+    return {1, 0, 0, 0};
+  }
+  /// The position and attitude at `at` hold at least until this time (exclusive); Time::max(): it
+  /// never moves.
   virtual hal::Time valid_until(hal::AgentId agent, hal::Time at) const = 0;
   /// Whether position() also answers for times before now, with what it would have answered then.
   virtual bool remembers(hal::AgentId /*agent*/) const { return false; }

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "hal/types/math.h"
+#include "sim/radio/channel/antenna.h"
 #include "sim/radio/channel/path_losses.h"
 #include "sim/radio/channel/power_law.h"
 
@@ -17,6 +18,15 @@ constexpr hal::Milliwatts kAnyPower{1e-300};
 
 /// What is left of a power, as a share.
 double share(hal::Decibels loss) { return hal::math::pow(10, -loss.value / 10); }
+
+/// Of both antennas towards each other, a ratio.
+double directed_gain(const Site& from, const Site& to) {
+  const hal::Vec3 way = to.antenna() - from.antenna();
+  double gain = 1;
+  if (from.directed != nullptr) gain *= from.directed->towards(way);
+  if (to.directed != nullptr) gain *= to.directed->towards(-1 * way);
+  return gain;
+}
 
 }  // namespace
 
@@ -80,6 +90,9 @@ Propagation::Steady Propagation::steady(hal::Milliwatts sent, const Site& from,
                                         const Site& to) const {
   const Path path(from, to);
   Steady result{.free = sent, .distance_squared = path.distance_squared};
+  if (from.directed != nullptr || to.directed != nullptr) {
+    result.free = directed_gain(from, to) * sent;
+  }
   for (const auto& loss : chain_) result.free = loss->after(result.free, path);
   if (obstacles_ != nullptr && most_in_time_ * result.free >= floor_) {
     const hal::Decibels loss = obstacles_->loss(from.antenna(), to.antenna());

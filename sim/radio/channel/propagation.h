@@ -51,7 +51,8 @@ class Propagation {
     double distance_squared = 0;             ///< m^2
     Strength strength = Strength::kNothing;  ///< Of the most that it may become.
   };
-  /// @param sent  by the antenna at `from`.
+  /// @param sent  by the antenna at `from`; the gains of antennas that are not equal in all
+  /// directions are added.
   Steady steady(hal::Milliwatts sent, const Site& from, const Site& to) const;
   /// The same at a distance, m. @pre falls_with_distance()
   Steady steady_at(hal::Milliwatts sent, double distance) const;

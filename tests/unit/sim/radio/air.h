@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,6 +20,8 @@ class PlacedAntennas final : public Positions {
   struct Antenna {
     hal::Vec3 start;
     hal::Vec3 velocity{};
+    std::array<double, 4> attitude{1, 0, 0, 0};
+    double fastest = 0;  ///< m/s, max_speed() is at least this.
   };
   bool is_remembering = false;  ///< Whether positions may be asked for later.
 
@@ -31,13 +34,16 @@ class PlacedAntennas final : public Positions {
   hal::Vec3 velocity(hal::AgentId agent, hal::Time) const override {
     return antennas_.at(agent).velocity;
   }
+  std::array<double, 4> attitude(hal::AgentId agent, hal::Time) const override {
+    return antennas_.at(agent).attitude;
+  }
   hal::Time valid_until(hal::AgentId agent, hal::Time at) const override {
     return max_speed(agent) > 0 ? at : hal::Time::max();
   }
   bool remembers(hal::AgentId) const override { return is_remembering; }
   double max_speed(hal::AgentId agent) const override {
     const hal::Vec3 v = antennas_.at(agent).velocity;
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+    return std::max(std::abs(v.x) + std::abs(v.y) + std::abs(v.z), antennas_.at(agent).fastest);
   }
 
  private:

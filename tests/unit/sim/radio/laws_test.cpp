@@ -49,7 +49,8 @@ TEST(Laws, OfDistanceReachSomewhereAndNotEverywhere) {
     const double reach =
         path_loss(law, air, *kFlatGround)->reach(hal::Milliwatts{100}, hal::Milliwatts{1e-8});
     EXPECT_GT(reach, 0) << model_of(law);
-    if (is_law_of_distance(law)) {
+    // Measured losses may be any at any distance.
+    if (is_law_of_distance(law) && !std::holds_alternative<MeasuredConfig>(law)) {
       EXPECT_LT(reach, 1e6) << model_of(law);
     }
   }
