@@ -2,9 +2,25 @@
 
 Neither package is needed: spaces have what theirs have in common (shape, dtype, low, high, sample, contains, seed).
 """
+import os
+import pathlib
+
 import numpy
 
 from ._simulator import Episode
+
+
+def _look_in(variable, *places):
+    """Adds folders that exist to a list of the environment: beside what the user names, where this package's files are."""
+    there = [str(place) for place in places if place.is_dir()]
+    named = [one for one in os.environ.get(variable, "").split(":") if one]
+    os.environ[variable] = ":".join([*named, *(one for one in there if one not in named)])
+
+
+# A build has bin/python/baraka and share/; an installation lib/python3/dist-packages/baraka, lib/baraka and share/.
+_HERE = pathlib.Path(__file__).resolve().parents
+_look_in("BARAKA_CONFIG_PATH", _HERE[3] / "share/baraka", _HERE[4] / "share/baraka")
+_look_in("BARAKA_CONTROLLER_PATH", _HERE[2], _HERE[3] / "baraka")
 
 LARGEST_SEED = 2**53
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <future>
 #include <stdexcept>
 #include <thread>
@@ -12,6 +13,7 @@
 #include "gateway/runtime/controller_host.h"
 #include "gateway/runtime/in_process_port.h"
 #include "gateway/runtime/plugin.h"
+#include "hal/files/config/shared_folders.h"
 #include "python/simulator/driven_port.h"
 #include "python/simulator/hand_over.h"
 #include "sim/agents/fingerprint_feed.h"
@@ -67,7 +69,8 @@ class UntilClosed final : public sim::agents::Pace {
 
 Scenario scenario_of(const std::string& file, std::vector<std::string> overrides) {
   overrides.emplace_back("control_phase=aligned");
-  Scenario scenario = sim::scenario::load_scenario(file, overrides);
+  const std::filesystem::path found = hal::files::config::named_file(file, {"scenarios"});
+  Scenario scenario = sim::scenario::load_scenario(found, overrides);
   for (const sim::agents::AgentConfig& agent : scenario.simulation.agents) {
     if (agent.network) {
       throw std::runtime_error(fmt::format(

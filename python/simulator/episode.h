@@ -34,6 +34,7 @@ struct Situation {
 /// stands still between two calls.
 class Episode {
  public:
+  /// @param file  a path or, as of `baraka run`, the name of a scenario that comes with BARAKA.
   /// @param overrides  as of --set.   @param agents  names of robots; at least one.
   /// @param until  end of the run; none: the scenario's end conditions alone.
   /// @throws std::exception  the scenario has mistakes, an agent is unknown or no robot, or a

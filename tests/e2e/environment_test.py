@@ -35,7 +35,7 @@ def nothing(*_):
 class Environments(Case):
     @classmethod
     def setUpClass(cls):
-        os.environ["BARAKA_CONTROLLER_PATH"] = f"{ROOT / 'tests/e2e/python'}:{BIN}"
+        os.environ["BARAKA_CONTROLLER_PATH"] = str(ROOT / "tests/e2e/python")
         del sys.modules["baraka"]  # the file beside this one; from here on it is the package
         sys.path.insert(0, str(BIN / "python"))
         import baraka as package
@@ -153,6 +153,11 @@ class Environments(Case):
         first = space.sample()
         space.seed(5)
         self.assertTrue((first == space.sample()).all() and first in space)
+
+    def test_scenarios_and_controllers_that_come_along_are_found_by_name(self):
+        environment = self.environment("many_robots", "r3", nothing, until=2)
+        _, info = self.play(environment, 5, [0, 0, 0])
+        self.assertEqual(info["result"], "until")
 
     def test_mistakes(self):
         environment = self.environment(WANDERER, "r0", nothing, until=5)
