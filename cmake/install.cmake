@@ -50,7 +50,7 @@ install(DIRECTORY docs DESTINATION share/doc/baraka COMPONENT program OPTIONAL)
 
 if(TARGET python_package)
   install(TARGETS baraka_python LIBRARY DESTINATION lib/baraka COMPONENT python)
-  install(TARGETS python_hal python_process LIBRARY DESTINATION lib/python3/dist-packages/baraka COMPONENT python)
+  install(TARGETS python_hal python_process python_simulator LIBRARY DESTINATION lib/python3/dist-packages/baraka COMPONENT python)
   install(DIRECTORY python/baraka/ DESTINATION lib/python3/dist-packages/baraka COMPONENT python FILES_MATCHING PATTERN *.py)
 endif()
 install(TARGETS baraka-agentd RUNTIME DESTINATION bin COMPONENT agentd)

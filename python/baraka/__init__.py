@@ -25,6 +25,14 @@ for _one in (RealWorldObject, Mote, Robot, Network, RandomStream, PathMetric):
     _one.__module__ = "baraka"  # where users find them
 
 
+def __getattr__(name):
+    """Box and Environment, with the simulator and numpy, only when they are asked for."""
+    if name in ("Box", "Environment"):
+        from . import environment
+        return getattr(environment, name)
+    raise AttributeError(f"module 'baraka' has no attribute '{name}'")
+
+
 def main(of_class, arguments=None):
     """Runs controllers of a class until the run ends, then exits: the main program of a controller.
 
