@@ -48,6 +48,7 @@ std::uint64_t write_mcap(const std::filesystem::path& folder, const ExportedScen
   publish_walls(parts);
   McapStreams streams;
   add_pose_streams(parts, streams);
+  add_movable_stream(parts, streams);
   add_reading_streams(parts, streams);
   add_network_streams(parts, streams);
   add_route_stream(parts, streams);

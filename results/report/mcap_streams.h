@@ -49,6 +49,7 @@ struct McapParts {
 };
 
 void add_pose_streams(const McapParts& parts, McapStreams& streams);
+void add_movable_stream(const McapParts& parts, McapStreams& streams);
 void add_network_streams(const McapParts& parts, McapStreams& streams);
 void add_route_stream(const McapParts& parts, McapStreams& streams);
 void add_controller_streams(const McapParts& parts, McapStreams& streams);

@@ -29,8 +29,8 @@ using hal::node::devices::WheelDrive;
 
 namespace {
 
-/// Of the iterative solver, with movables: the default of 20 lets stacks of five creep.
-constexpr int kIterations = 50;
+/// Of the iterative solver, with movables: with the default of 20, stacks of four creep.
+constexpr int kIterations = 100;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 void require(bool holds, const char* what, double value, const char* allowed) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "idl/ros/cdr.h"
+#include "idl/ros/markers.h"
 #include "idl/ros/sensors.h"
 #include "idl/ros/values.h"
 #include "tests/unit/results/record/test_run.h"
@@ -115,6 +116,29 @@ TEST(McapExport, MergesTablesByTime) {
                        idl::ros::transform_between("world", "r0/base_link", {1, 1, 0}, 0)};
   for (auto& one : both.transforms()) one.header().stamp(to_ros(hal::time_from_ns(10)));
   EXPECT_TRUE(made.has(bytes_of(both)));
+}
+
+TEST(McapExport, MovablesAreTransformsAndMarkersAsTheyLie) {
+  const Exported made = write(
+      "INSERT INTO movables VALUES (0, 'drum', 'cylinder', 0.5, 0.5, 2, 1);"
+      "INSERT INTO movable_poses VALUES (0, 10, 1, 2, 0.25, 0, 1, 0, 0);");
+  EXPECT_EQ(made.messages, kAlways + 2);
+  geometry_msgs::msg::dds_::Quaternion_ over;  // it lies upside down
+  over.x(1);
+  tf2_msgs::msg::dds_::TFMessage_ moved;
+  moved.transforms() = {idl::ros::transform_between("world", "movables/drum", {1, 2, 0.25}, 0)};
+  moved.transforms()[0].header().stamp(to_ros(hal::time_from_ns(10)));
+  moved.transforms()[0].transform().rotation(over);
+  EXPECT_TRUE(made.has(bytes_of(moved)));
+  visualization_msgs::msg::dds_::MarkerArray_ markers;
+  hal::Solid solid;
+  solid.shape = hal::Solid::Shape::kCylinder;
+  solid.size = {0.5, 0.5, 2};
+  solid.centre = {1, 2, 0.25};
+  const hal::DrawnBody drum{"drum", hal::DrawnAs::kWall, {solid}};
+  idl::ros::add_markers(markers.markers(), hal::time_from_ns(10), "movables/drum", {drum, {}});
+  markers.markers()[0].pose().orientation(over);
+  EXPECT_TRUE(made.has(bytes_of(markers)));
 }
 
 TEST(McapExport, ToldAndDeliveredAreFates) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "hal/types/math.h"
@@ -82,6 +83,33 @@ TEST(Movable, AHundredAtRestDoNotMove) {
   EXPECT_LT(most, 1e-4);  // m
   EXPECT_EQ(world.solver_messages(), 0U);
   EXPECT_TRUE(world.lost_bodies().empty());
+}
+
+/// Bricks in rows of which each is shifted against the one below.
+void add_rows(World& world, int rows, int bricks, bool is_pyramid) {
+  for (int row = 0; row < rows; ++row) {
+    for (int i = 0; i < bricks - (is_pyramid ? row : 0); ++i) {
+      const double shifted = is_pyramid ? 0.155 * row : 0.15 * (row % 2);  // m
+      const double apart = is_pyramid ? 0.31 : 0.3;
+      world.add_movable(movable(kCube, {apart * i + shifted, 0, 0}, 0.2 * row));
+    }
+  }
+}
+
+TEST(Movable, HigherPilesDoNotMove) {
+  for (const auto& [rows, bricks, is_pyramid] :
+       {std::tuple{4, 1, true}, std::tuple{5, 5, true}, std::tuple{5, 5, false}}) {
+    World world(WorldConfig{});
+    if (bricks == 1)
+      for (int i = 0; i < rows; ++i) world.add_movable(movable(kCube, {}, 0.2 * i));
+    else
+      add_rows(world, rows, bricks, is_pyramid);
+    advance(world, 2);
+    const auto settled = places(world);
+    EXPECT_GT(settled.back().z, 0.2 * (rows - 1));  // the last one is on top
+    advance(world, 60);
+    EXPECT_LT(farthest(settled, places(world)), 1e-4) << rows << " rows of " << bricks;
+  }
 }
 
 TEST(Movable, LeaningOnAParkedRobotDoesNotMove) {
