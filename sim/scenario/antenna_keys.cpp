@@ -68,7 +68,7 @@ void keys_of(Fields& io, radio::TableAntenna& c) {
            {"file",
             "CSV file with the header azimuth_deg,elevation_deg,gain_dbi and a row for each "
             "direction of a grid; azimuth from the body's x axis to the left, elevation upwards.",
-            "pattern.csv", "`rows`"},
+            "antennas/half_wave_dipole.csv", "`rows`"},
            file);
   const Key key{"rows", "The rows of such a file.", "['0,0,2', '180,0,-10']", "those of `file`"};
   Mapping* const in = io.reading();

@@ -23,6 +23,7 @@ double elevation_of(const hal::Vec3& d) {
 
 std::vector<double> distinct(const std::vector<AntennaRow>& rows, double AntennaRow::*member) {
   std::vector<double> values;
+  values.reserve(rows.size());
   for (const AntennaRow& row : rows) values.push_back(row.*member);
   std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/radio/channel/antenna.h"
 #include "sim/radio/channel/log_distance.h"
 #include "sim/radio/channel/power_law.h"
 #include "sim/radio/channel/two_ray_ground.h"
@@ -34,6 +35,8 @@ struct Setting {
   std::vector<Bin> bins{};
 
   hal::Metres wavelength() const { return hal::Metres{0.299792458 / ghz}; }
+  /// Published vertical beam width. rad
+  double beam() const { return (ghz < 3 ? 30 : 15) * 3.14159265358979323846 / 180; }
   /// Set power and gains of both antennas. dBm
   double radiated() const { return ghz < 3 ? 18 + 2 * 5 : 16 + 2 * 7; }
 };
@@ -165,6 +168,44 @@ TEST(RobotRssi2019, TwoRaysWithPhaseFitTheSea) {
   EXPECT_NEAR(rays.fit.constants[0], -13.1, 0.051);  // dB, at 2.412 GHz
   EXPECT_NEAR(rays.fit.constants[1], -7.4, 0.051);   // dB, at 5.24 GHz
   EXPECT_EQ(rays.fit.constants[1], rays.fit.constants[2]) << "one radio";
+}
+
+/// A law whose direct and reflected rays have the vertical beams of both antennas, level.
+class WithBeams final : public PathLoss {
+ public:
+  WithBeams(const Setting& setting, double reflection)
+      : rays_(setting.wavelength(), reflection, *kFlatGround),
+        sender_(AntennaPattern(beam(setting)), {1, 0, 0, 0}),
+        receiver_(AntennaPattern(beam(setting)), {0, 0, 0, 1}) {}
+
+  hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override {
+    Site from = path.from, to = path.to;
+    from.directed = &sender_;
+    to.directed = &receiver_;
+    const hal::Vec3 way = to.antenna() - from.antenna();
+    const double gain = sender_.towards(way) * receiver_.towards(-1 * way);
+    return gain * rays_.after(power, Path(from, to));
+  }
+  double reach(hal::Milliwatts power, hal::Milliwatts least) const override {
+    return rays_.reach(power, least);
+  }
+
+ private:
+  static BeamAntenna beam(const Setting& setting) {
+    return {.width = 6, .height = setting.beam(), .back = hal::Decibels{100}};
+  }
+  TwoRayInterference rays_;
+  DirectedAntenna sender_, receiver_;
+};
+
+Law rays_with_beams(double reflection) {
+  return [reflection](const Setting& s) { return std::make_unique<WithBeams>(s, reflection); };
+}
+
+TEST(RobotRssi2019, VerticalBeamsChangeLittleOverTheSea) {
+  const Best rays = best(settings_in("sea"), rays_with_beams, -100, 0);
+  EXPECT_NEAR(rays.parameter, -0.58, 1e-9);
+  expect(rays.fit, 1.33, {1.19, 1.13, 1.60});
 }
 
 TEST(RobotRssi2019, TheOtherLawsDoNotFitTheSea) {

@@ -83,6 +83,17 @@ TEST_F(CsvKeys, ReadThePatternsOfAntennas) {
   EXPECT_FALSE(agents[1].radio.antenna.has_value());
 }
 
+TEST_F(CsvKeys, FindTheSharedTableOfADipole) {
+  const Scenario scenario =
+      load("antenna: {pattern: table, file: " CONFIG_DIR "/antennas/half_wave_dipole.csv}");
+  const radio::AntennaPattern table(air_of(scenario).antenna), closed(radio::DipoleAntenna{});
+  for (const double up : {0.0, 0.2, 0.5, 1.0}) {
+    const hal::Vec3 way{0.6, 0.8, up};
+    // A ratio: rows 5 degrees apart are 0.1 dB off between them.
+    EXPECT_NEAR(table.towards(way) / closed.towards(way), 1, 0.02) << up;
+  }
+}
+
 TEST_F(CsvKeys, KeepPatternsInTheResolvedScenario) {
   write("t.csv", kPattern + "0,0,2.123456789\n180,0,-10.5\n");
   const Scenario scenario = load("antenna: {pattern: table, file: t.csv}",
