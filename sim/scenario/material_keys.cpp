@@ -51,4 +51,18 @@ void material_key(Fields& io, std::span<const Material> own, std::string& name) 
                                      names_of_materials(own)));
 }
 
+void ceilings_key(Fields& io, std::vector<Ceiling>& ceilings) {
+  io.list_if_any<Ceiling>(
+      {"ceilings",
+       "Ceilings between storeys, each as wide as the world, for the propagation model "
+       "`multi_wall`. They stop no body.",
+       "[{height: 2.8 m, loss: 18.3 dB}]"},
+      ceilings, [](Fields& one, Ceiling& ceiling) {
+        one.needed({"height", "Its height, world frame.", "2.8 m"}, "m", kCoordinate,
+                   ceiling.height.value);
+        one.quantity({"loss", "Loss of a path that crosses this ceiling alone.", "18.3 dB"}, "dB",
+                     kMaterialLoss, ceiling.loss);
+      });
+}
+
 }  // namespace sim::scenario

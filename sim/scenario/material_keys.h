@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/ceiling.h"
 #include "sim/core/material.h"
 #include "sim/scenario/fields.h"
 
@@ -14,5 +15,8 @@ void materials_key(Fields& io, std::vector<Material>& own);
 
 /// `material:` of a wall, a box or a map. @param own  those of the scenario.
 void material_key(Fields& io, std::span<const Material> own, std::string& name);
+
+/// `ceilings:` of `world:`.
+void ceilings_key(Fields& io, std::vector<Ceiling>& ceilings);
 
 }  // namespace sim::scenario

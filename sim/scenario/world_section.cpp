@@ -84,10 +84,11 @@ void keys_of(Fields& io, StaticBox& box, const agents::SimulationConfig& config)
              "0.6"},
             "1", kFriction, box.friction);
   material_key(io, config.materials, box.material);
-  io.inside(
-      {"radio_loss",
-       "Attenuation of radio frames that pass through it; needs `obstacles: true` of the radio."},
-      [&](Fields& loss) { loss_keys(loss, box.radio_loss); });
+  io.inside({"radio_loss",
+             "Attenuation of radio frames that pass through it; needs `obstacles: true` of the "
+             "radio, and "
+             "no propagation model `multi_wall`, which uses `material`."},
+            [&](Fields& loss) { loss_keys(loss, box.radio_loss); });
 }
 
 /// @param kind  prefix of the names of boxes without a name; a number follows.
@@ -110,6 +111,7 @@ void world_keys(Fields& io, agents::SimulationConfig& config) {
   io.inside({"physics", "Parameters of the physics engine (ODE)."},
             [&](Fields& physics) { physics_keys(physics, config.world); });
   materials_key(io, config.materials);
+  ceilings_key(io, config.ceilings);
   boxes(io,
         {"walls", "Boxes that never move.", "[{size: [6 m, 20 cm, 50 cm], position: [0 m, 3 m]}]"},
         "wall", config);

@@ -7,6 +7,7 @@
 #include "sim/radio/channel/foreign_law.h"
 #include "sim/radio/channel/friis.h"
 #include "sim/radio/channel/log_distance.h"
+#include "sim/radio/channel/multi_wall.h"
 #include "sim/radio/channel/nakagami.h"
 #include "sim/radio/channel/path_loss.h"
 #include "sim/radio/channel/power_law.h"
@@ -25,9 +26,9 @@ namespace sim::radio {
 ///   make(const FriisConfig&, air, ground)  its PathLoss
 ///
 /// Files can name all but the last one, by kModel.
-using PathLossConfig =
-    std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, TwoRayGroundConfig,
-                 ShadowingConfig, NakagamiConfig, RicianConfig, RayleighConfig, ForeignLawConfig>;
+using PathLossConfig = std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, MultiWallConfig,
+                                    TwoRayGroundConfig, ShadowingConfig, NakagamiConfig,
+                                    RicianConfig, RayleighConfig, ForeignLawConfig>;
 
 /// Number of those that files can name.
 inline constexpr std::size_t kNamedLaws = std::variant_size_v<PathLossConfig> - 1;

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <vector>
+
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/core/material.h"
+#include "sim/core/wall_crossings.h"
 
 namespace sim::radio {
 
@@ -36,6 +40,15 @@ class Obstacles {
   };
   /// Loss by obstacles that may move, evaluated when a frame starts. The default is 0 dB.
   virtual hal::Decibels moving_loss(const End& /*from*/, const End& /*to*/) const { return {}; }
+
+  /// Materials of the walls, in the order of WallCrossings::walls. The default has no walls.
+  virtual std::vector<Material> materials() const { return {}; }
+  /// Walls and ceilings that the segment crosses. Parts of walls of one material that are no
+  /// farther apart than `gap` along the segment are one wall.
+  virtual void crossings(const hal::Vec3& /*from*/, const hal::Vec3& /*to*/, hal::Metres /*gap*/,
+                         WallCrossings& crossed) const {
+    crossed = {};
+  }
 };
 
 }  // namespace sim::radio
