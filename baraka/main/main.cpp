@@ -20,6 +20,7 @@
 #include "baraka/commands/view_command.h"
 #include "baraka/commands/wrong_kind.h"
 #include "baraka/fleet/fleet_command.h"
+#include "baraka/main/coverage_options.h"
 #include "baraka/main/run_options.h"
 #include "baraka/run/run_command.h"
 #include "gateway/process/command_line.h"
@@ -234,6 +235,8 @@ struct Asked {
   std::string listed;
   baraka::campaign::CampaignOptions campaign, fleet;
   baraka::commands::CheckOptions check;
+  baraka::commands::CoverageCommand coverage;
+  baraka::commands::SurveyCommand survey;
   DescribeOptions describe;
   baraka::commands::ReportOptions report;
   baraka::commands::ViewOptions view;
@@ -258,6 +261,8 @@ int act(const CLI::App& app, Asked& asked) {
                                           [&] { return baraka::fleet::run_fleet(asked.fleet); });
   }
   if (app.got_subcommand("check")) return baraka::commands::check(asked.check);
+  if (app.got_subcommand("coverage")) return baraka::main::act(asked.coverage);
+  if (app.got_subcommand("survey")) return baraka::main::act(asked.survey);
   if (app.got_subcommand("describe")) return asked.describe.act();
   if (app.got_subcommand("diff")) return baraka::commands::diff(asked.diff);
   if (app.got_subcommand("exec")) baraka::commands::exec_inside(asked.exec);
@@ -291,6 +296,8 @@ int command(int argc, char** argv) {
   add_list(app, asked.listed);
   add_report(app, asked.report);
   add_view(app, asked.view);
+  baraka::main::add_coverage(app, asked.coverage);
+  baraka::main::add_survey(app, asked.survey);
   add_export(app, asked.export_);
   add_diff(app, asked.diff);
   add_exec(app, asked.exec);
