@@ -6,7 +6,8 @@ import random
 import re
 import unittest
 
-from baraka import ROOT, Case, Program
+from baraka import BIN, ROOT, Case, Program
+from browser import CHROMIUM, Browser
 
 FLOOR = """version: 1
 name: floor
@@ -99,6 +100,25 @@ class Coverage(Case):
         self.baraka("coverage", self.floor, "--of", "*", "--layer", "rate", "-o", drawing)
         self.assertIn("expected rate, 1500 bytes, 1 m above the ground", drawing.read_text())
         self.assertRegex(self.baraka("coverage", self.floor, "--of", "a").out, r"54 Mb/s +\d+\.\d %")
+
+    @unittest.skipIf(CHROMIUM is None or not (BIN / "view_page.html").exists(), "needs chromium and ./setup pages")
+    def test_the_view_has_it_as_a_layer(self):
+        page = self.folder / "view.html"
+        (self.folder / "floor.yaml").write_text(FLOOR.replace("  obstacles: false\n", "  bss: {access_point: a}\n"))
+        self.baraka("view", self.floor, "--export", page)
+        browser = Browser(1000, 700)
+        self.addCleanup(browser.close)
+        colours = "new Set([...document.querySelectorAll('.coverage i')].map((one) => one.style.background)).size"
+        browser.open(f"file://{page}#2d=1")
+        self.assertTrue(browser.run("document.querySelector('.coverage').hidden"))
+        browser.run("[...document.querySelectorAll('.switches button')].find((one) => one.textContent === 'coverage').click()")
+        browser.wait(f"{colours} > 2")
+        self.assertRegex(browser.run("document.querySelector('.coverage').innerText"), r"-\d+ to -\d+ dBm")
+        choose = "const s = document.querySelector('.coverage select'); s.value = 'best'; s.dispatchEvent(new Event('change'));"
+        browser.run(f"(() => {{ {choose} }})()")
+        browser.wait(f"{colours} === 1")
+        self.assertRegex(browser.run("document.querySelector('.coverage').innerText"), r"\na$")
+        self.assertEqual(browser.said, [])
 
     def test_mistakes_have_a_place(self):
         survey = self.folder / "survey.csv"
