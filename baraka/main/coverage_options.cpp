@@ -48,14 +48,18 @@ void add_survey(CLI::App& app, commands::SurveyCommand& options) {
       ->allow_extra_args(false);
 }
 
-int act(const commands::CoverageCommand& asked) {
-  return commands::with_file_of("scenario", {asked.scenario, {"scenarios"}, asked.overrides},
-                                [&] { return commands::coverage(asked); });
-}
-
-int act(const commands::SurveyCommand& asked) {
-  return commands::with_file_of("scenario", {asked.scenario, {"scenarios"}, asked.overrides},
-                                [&] { return commands::survey(asked); });
+std::optional<int> act(const CLI::App& app, const commands::CoverageCommand& coverage,
+                       const commands::SurveyCommand& survey) {
+  if (app.got_subcommand("coverage")) {
+    return commands::with_file_of("scenario",
+                                  {coverage.scenario, {"scenarios"}, coverage.overrides},
+                                  [&] { return commands::coverage(coverage); });
+  }
+  if (app.got_subcommand("survey")) {
+    return commands::with_file_of("scenario", {survey.scenario, {"scenarios"}, survey.overrides},
+                                  [&] { return commands::survey(survey); });
+  }
+  return std::nullopt;
 }
 
 }  // namespace baraka::main

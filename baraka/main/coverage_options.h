@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "baraka/commands/coverage_command.h"
 
 namespace CLI {
@@ -12,8 +14,9 @@ namespace baraka::main {
 void add_coverage(CLI::App& app, commands::CoverageCommand& options);
 void add_survey(CLI::App& app, commands::SurveyCommand& options);
 
-/// Carries them out. @return exit status. @throws std::exception
-int act(const commands::CoverageCommand& asked);
-int act(const commands::SurveyCommand& asked);
+/// Carries out the one of them that is asked for. @return exit status; nullopt: neither is.
+/// @throws std::exception
+std::optional<int> act(const CLI::App& app, const commands::CoverageCommand& coverage,
+                       const commands::SurveyCommand& survey);
 
 }  // namespace baraka::main

@@ -261,8 +261,7 @@ int act(const CLI::App& app, Asked& asked) {
                                           [&] { return baraka::fleet::run_fleet(asked.fleet); });
   }
   if (app.got_subcommand("check")) return baraka::commands::check(asked.check);
-  if (app.got_subcommand("coverage")) return baraka::main::act(asked.coverage);
-  if (app.got_subcommand("survey")) return baraka::main::act(asked.survey);
+  if (const auto done = baraka::main::act(app, asked.coverage, asked.survey)) return *done;
   if (app.got_subcommand("describe")) return asked.describe.act();
   if (app.got_subcommand("diff")) return baraka::commands::diff(asked.diff);
   if (app.got_subcommand("exec")) baraka::commands::exec_inside(asked.exec);

@@ -142,7 +142,7 @@ class Coverage(Case):
         for line in re.findall(r"^baraka (coverage .*?) *(?:#.*)?$", text, re.M):
             if "fitted" in line:
                 continue
-            words = line.replace("floor.yaml", str(self.floor)).split()
+            words = line.replace("office.yaml", str(self.floor)).split()
             words = [str(self.folder / word) if word.startswith("coverage.") else word for word in words]
             self.baraka(*words)
 
