@@ -21,6 +21,7 @@
 #include "baraka/commands/view_command.h"
 #include "baraka/commands/wrong_kind.h"
 #include "baraka/fleet/fleet_command.h"
+#include "baraka/main/coverage_options.h"
 #include "baraka/main/run_options.h"
 #include "baraka/run/run_command.h"
 #include "gateway/process/command_line.h"
@@ -252,6 +253,8 @@ struct Asked {
   std::string listed;
   baraka::campaign::CampaignOptions campaign, fleet;
   baraka::commands::CheckOptions check;
+  baraka::commands::CoverageCommand coverage;
+  baraka::commands::SurveyCommand survey;
   DescribeOptions describe;
   baraka::commands::ReportOptions report;
   baraka::commands::ViewOptions view;
@@ -277,6 +280,7 @@ int act(const CLI::App& app, Asked& asked) {
                                           [&] { return baraka::fleet::run_fleet(asked.fleet); });
   }
   if (app.got_subcommand("check")) return baraka::commands::check(asked.check);
+  if (const auto done = baraka::main::act(app, asked.coverage, asked.survey)) return *done;
   if (app.got_subcommand("describe")) return asked.describe.act();
   if (app.got_subcommand("capsule")) return baraka::commands::capsule(asked.capsule);
   if (app.got_subcommand("diff")) return baraka::commands::diff(asked.diff);
@@ -311,6 +315,8 @@ int command(int argc, char** argv) {
   add_list(app, asked.listed);
   add_report(app, asked.report);
   add_view(app, asked.view);
+  baraka::main::add_coverage(app, asked.coverage);
+  baraka::main::add_survey(app, asked.survey);
   add_export(app, asked.export_);
   add_capsule(app, asked.capsule);
   add_diff(app, asked.diff);

@@ -17,6 +17,8 @@
 #include "sim/agents/path.h"
 #include "sim/agents/scripted_event.h"
 #include "sim/air/network_config.h"
+#include "sim/core/ceiling.h"
+#include "sim/core/material.h"
 #include "sim/physics/movable.h"
 #include "sim/physics/world.h"
 #include "sim/radio/radio_config.h"
@@ -114,6 +116,8 @@ struct SimulationConfig {
   physics::WorldConfig world;
   std::vector<physics::StaticBox> walls;
   std::vector<physics::Movable> movables;
+  std::vector<Material> materials;  ///< Of walls, beside the built-in ones.
+  std::vector<Ceiling> ceilings;
   radio::RadioConfig radio;
   LinkKind link = LinkKind::kMac;
   hal::node::routing::RoutingConfig routing;

@@ -31,7 +31,11 @@ double length_inside(const physics::World& world, hal::AgentId agent, const hal:
 }  // namespace
 
 WorldObstacles::WorldObstacles(const physics::World& world, const SimulationConfig& config)
-    : world_(world), line_of_sight_(world), grid_(kCell), movables_(world, config.movables) {
+    : world_(world),
+      line_of_sight_(world),
+      crossed_walls_(config),
+      grid_(kCell),
+      movables_(world, config.movables) {
   for (const physics::StaticBox& wall : config.walls) walls_.push_back(wall.radio_loss);
   const radio::WavesConfig* const waves = radio::waves_of(config.radio);
   if (waves != nullptr) body_ = waves->propagation.body_loss;
@@ -51,6 +55,12 @@ hal::Decibels WorldObstacles::loss(const hal::Vec3& from, const hal::Vec3& to) c
   for (const auto& wall : line_of_sight_.walls_between(from, to))
     sum += decibels(walls_[wall.index], wall.thickness);
   return hal::Decibels{sum};
+}
+
+void WorldObstacles::crossings(const hal::Vec3& from, const hal::Vec3& to, hal::Metres gap,
+                               WallCrossings& crossed) const {
+  crossed_walls_.count(line_of_sight_.walls_between(from, to), gap, crossed);
+  crossed_walls_.count_ceilings(from.z, to.z, crossed);
 }
 
 hal::Decibels WorldObstacles::moving_loss(const End& from, const End& to) const {

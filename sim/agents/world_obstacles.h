@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/agents/crossed_walls.h"
 #include "sim/agents/movable_obstacles.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/core/cell_grid.h"
@@ -24,6 +25,9 @@ class WorldObstacles final : public radio::Obstacles {
   hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const override;
   hal::Decibels moving_loss(const End& from, const End& to) const override;
   bool has_movables() const override { return !movables_.empty(); }
+  std::vector<Material> materials() const override { return crossed_walls_.materials(); }
+  void crossings(const hal::Vec3& from, const hal::Vec3& to, hal::Metres gap,
+                 WallCrossings& crossed) const override;
 
  private:
   void follow() const;
@@ -32,6 +36,7 @@ class WorldObstacles final : public radio::Obstacles {
   const physics::World& world_;
   sensing::LineOfSight line_of_sight_;
   std::vector<ObstacleLoss> walls_;  ///< By wall.
+  CrossedWalls crossed_walls_;
   ObstacleLoss body_;
   std::vector<hal::AgentId> agents_;
   std::vector<std::uint32_t> index_;  ///< Index in agents_, by address.

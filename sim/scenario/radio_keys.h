@@ -67,7 +67,7 @@ inline void keys_of(Fields& io, radio::PropagationConfig& c) {
   antenna_key(io, c.antenna);
   io.flag({"obstacles",
            "Whether walls and bodies attenuate: walls by their `radio_loss`, bodies by the two "
-           "keys below.",
+           "keys below. With the propagation model `multi_wall`, which has the walls, only bodies.",
            "true"},
           c.obstacles);
   io.quantity({"body_loss_per_crossing",

@@ -49,16 +49,51 @@ void check_heights(Mapping& in, const Scenario& scenario, const PropagationConfi
   in.within("agents").within(group->name).within("radio").mistake(kHeight, mistake);
 }
 
+const radio::MultiWallConfig* multi_wall_of(const PropagationConfig& propagation) {
+  for (const radio::PathLossConfig& loss : propagation.chain)
+    if (const auto* const law = std::get_if<radio::MultiWallConfig>(&loss)) return law;
+  return nullptr;
+}
+
+/// The materials that the law names must exist.
+void check_law(Mapping law, const std::vector<Material>& own) {
+  for (Mapping& wall : law.items("walls")) {
+    const std::string name = wall.text({"material", "", ""}, std::string(kDefaultMaterial));
+    if (find_material(name, own)) continue;
+    wall.mistake("material", fmt::format("unknown material '{}': must be one of {}", name,
+                                         names_of_materials(own)));
+  }
+}
+
+void check_multi_wall(Mapping& in, const Scenario& scenario) {
+  for (Mapping& law : in.within("radio").items("propagation")) {
+    if (law.has("walls")) check_law(law, scenario.simulation.materials);
+  }
+  for (const char* const key : {"walls", "boxes"}) {
+    for (Mapping& wall : in.within("world").items(key)) {
+      if (!wall.has("radio_loss")) continue;
+      wall.warn("radio_loss", "has no effect: the model multi_wall takes the loss from 'material'");
+    }
+  }
+}
+
+bool has_body_loss(const Scenario& scenario, const PropagationConfig& propagation) {
+  return !propagation.body_loss.is_none() &&
+         std::ranges::any_of(scenario.simulation.agents,
+                             [](const AgentConfig& agent) { return has_body(agent); });
+}
+
+bool has_movable_loss(const Scenario& scenario) {
+  return std::ranges::any_of(
+      scenario.simulation.movables,
+      [](const physics::Movable& movable) { return !movable.radio_loss.is_none(); });
+}
+
 bool can_stop_waves(const Scenario& scenario, const PropagationConfig& propagation) {
   const auto& walls = scenario.simulation.walls;
   const bool has_wall = std::ranges::any_of(
       walls, [](const physics::StaticBox& wall) { return !wall.radio_loss.is_none(); });
-  const bool has_bodies = std::ranges::any_of(
-      scenario.simulation.agents, [](const AgentConfig& agent) { return has_body(agent); });
-  const bool has_movable = std::ranges::any_of(
-      scenario.simulation.movables,
-      [](const physics::Movable& movable) { return !movable.radio_loss.is_none(); });
-  return has_wall || has_movable || (has_bodies && !propagation.body_loss.is_none());
+  return has_wall || has_movable_loss(scenario) || has_body_loss(scenario, propagation);
 }
 
 }  // namespace
@@ -70,6 +105,16 @@ void check_waves(Mapping& in, const Scenario& scenario) {
   for (const radio::PathLossConfig& loss : waves->propagation.chain) {
     if (const auto* const measured = std::get_if<radio::MeasuredConfig>(&loss))
       check_measured(in, scenario, *measured);
+  }
+  if (multi_wall_of(waves->propagation) != nullptr) {
+    check_multi_wall(in, scenario);
+    if (waves->propagation.obstacles && !has_movable_loss(scenario) &&
+        !has_body_loss(scenario, waves->propagation)) {
+      in.within("radio").warn("obstacles",
+                              "has no effect: the model multi_wall has the walls, and there is no "
+                              "body with body_loss_per_crossing or body_loss_per_metre");
+    }
+    return;
   }
   if (waves->propagation.obstacles && !can_stop_waves(scenario, waves->propagation)) {
     in.within("radio").warn(

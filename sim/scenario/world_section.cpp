@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/scenario/fields.h"
+#include "sim/scenario/material_keys.h"
 
 namespace sim::scenario {
 namespace {
@@ -63,7 +64,7 @@ void loss_keys(Fields& io, ObstacleLoss& c) {
             kRadioLoss, c.per_metre);
 }
 
-void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
+void keys_of(Fields& io, StaticBox& box, const agents::SimulationConfig& config) {
   io.text({"name", "Name of the wall or box in the results.", "north",
            "`wall` or `box` with its number"},
           box.name);
@@ -73,7 +74,8 @@ void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
   hal::Vec2 at{box.centre.x, box.centre.y};
   io.needed({"position", "Position of its centre, world frame.", "[0 m, 3 m]"}, "m", kCoordinate,
             at);
-  box.centre = {at.x, at.y, ground.height(at) + box.size.z / 2};  // the box stands on the ground
+  const double ground = config.world.ground->height(at);
+  box.centre = {at.x, at.y, ground + box.size.z / 2};  // the box stands on the ground
   io.number({"yaw", "Rotation about the vertical, counter-clockwise seen from above.", "45 deg"},
             "rad", kAngle, box.yaw);
   io.number({"friction",
@@ -81,10 +83,12 @@ void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
              "coefficient of the two counts.",
              "0.6"},
             "1", kFriction, box.friction);
-  io.inside(
-      {"radio_loss",
-       "Attenuation of radio frames that pass through it; needs `obstacles: true` of the radio."},
-      [&](Fields& loss) { loss_keys(loss, box.radio_loss); });
+  material_key(io, config.materials, box.material);
+  io.inside({"radio_loss",
+             "Attenuation of radio frames that pass through it; needs `obstacles: true` of the "
+             "radio, and "
+             "no propagation model `multi_wall`, which uses `material`."},
+            [&](Fields& loss) { loss_keys(loss, box.radio_loss); });
 }
 
 /// @param kind  prefix of the names of boxes without a name; a number follows.
@@ -95,7 +99,7 @@ void boxes(Fields& io, const Key& key, std::string_view kind, agents::Simulation
   if (io.reading() == nullptr) listed = all;
   io.list<StaticBox>(key, listed, [&](Fields& one, StaticBox& box) {
     if (one.reading() != nullptr) box.name = fmt::format("{}{}", kind, &box - listed.data());
-    keys_of(one, box, *config.world.ground);
+    keys_of(one, box, config);
   });
   if (io.reading() != nullptr)
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(first), listed.begin(), listed.end());
@@ -106,6 +110,8 @@ void boxes(Fields& io, const Key& key, std::string_view kind, agents::Simulation
 void world_keys(Fields& io, agents::SimulationConfig& config) {
   io.inside({"physics", "Parameters of the physics engine (ODE)."},
             [&](Fields& physics) { physics_keys(physics, config.world); });
+  materials_key(io, config.materials);
+  ceilings_key(io, config.ceilings);
   boxes(io,
         {"walls", "Boxes that never move.", "[{size: [6 m, 20 cm, 50 cm], position: [0 m, 3 m]}]"},
         "wall", config);

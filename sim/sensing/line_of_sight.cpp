@@ -37,42 +37,55 @@ bool clip_height(Interval& part, double start, double slope, const Shape& shape)
   return part.from < part.to;
 }
 
-double share_in_sphere(const Shape& sphere, const Vec3& from, const Vec3& slope) {
+/// A part of the segment, as shares of it, 0 .. 1.
+struct Portion {
+  double from = 0, share = 0;
+};
+
+Portion share_in_sphere(const Shape& sphere, const Vec3& from, const Vec3& slope) {
   const double z = 0.5 * (sphere.z_low + sphere.z_high);
   const Vec3 to = Vec3{sphere.centre.x, sphere.centre.y, z} - from;
   const double squared = hal::dot(slope, slope);
-  if (squared == 0) return 0;
+  if (squared == 0) return {};
   const double middle = hal::dot(to, slope) / squared;
   const double room =
       (sphere.radius * sphere.radius - hal::dot(to, to)) / squared + middle * middle;
-  if (room <= 0) return 0;
+  if (room <= 0) return {};
   const double half = std::sqrt(room);
-  return std::max(0.0, std::min(1.0, middle + half) - std::max(0.0, middle - half));
+  const double enter = std::max(0.0, middle - half);
+  return {enter, std::max(0.0, std::min(1.0, middle + half) - enter)};
 }
 
-/// Share of the segment inside the shape, 0 .. 1.
-double share_inside(const Shape& shape, const Vec3& from, const Vec3& slope) {
+Portion share_inside(const Shape& shape, const Vec3& from, const Vec3& slope) {
   if (shape.kind == Shape::Kind::kSphere) return share_in_sphere(shape, from, slope);
   Interval part{0, 1};
-  if (!clip_height(part, from.z, slope.z, shape)) return 0;
+  if (!clip_height(part, from.z, slope.z, shape)) return {};
   const Vec2 start{from.x, from.y};
   const Vec2 direction{slope.x, slope.y};
   const double tiny = 1e-12;
   if (hal::dot(direction, direction) <
       tiny) {  // A vertical line: inside all the way or not at all.
     const auto line = inside(shape, start, {1, 0});
-    return line && line->from < 0 && line->to > 0 ? part.to - part.from : 0;
+    if (line && line->from < 0 && line->to > 0) return {part.from, part.to - part.from};
+    return {};
   }
   const auto line = inside(shape, start, direction);
-  if (!line) return 0;
-  return std::max(0.0, std::min(part.to, line->to) - std::max(part.from, line->from));
+  if (!line) return {};
+  const double enter = std::max(part.from, line->from);
+  return {enter, std::max(0.0, std::min(part.to, line->to) - enter)};
 }
 
 }  // namespace
 
-double length_inside(const Shape& shape, const Vec3& from, const Vec3& to) {
+Inside part_inside(const Shape& shape, const Vec3& from, const Vec3& to) {
   const Vec3 slope = to - from;
-  return share_inside(shape, from, slope) * std::sqrt(hal::dot(slope, slope));
+  const Portion part = share_inside(shape, from, slope);
+  const double length = std::sqrt(hal::dot(slope, slope));
+  return {part.from * length, part.share * length};
+}
+
+double length_inside(const Shape& shape, const Vec3& from, const Vec3& to) {
+  return part_inside(shape, from, to).length;
 }
 
 class LineOfSight::Implementation {
@@ -98,8 +111,8 @@ std::span<const LineOfSight::Wall> LineOfSight::walls_between(const Vec3& from,
   crossed.clear();
   if (from != to) tree.along(from, to, candidates);
   for (const std::size_t index : candidates) {
-    const double length = length_inside(walls[index], from, to);
-    if (length > 0) crossed.push_back({index, length});
+    const Inside part = part_inside(walls[index], from, to);
+    if (part.length > 0) crossed.push_back({index, part.length, part.begin});
   }
   return crossed;
 }

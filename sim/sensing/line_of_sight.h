@@ -18,6 +18,13 @@ struct Crossing {
 /// Length of the segment between two points that is inside a shape. World frame, m.
 double length_inside(const physics::Shape& shape, const hal::Vec3& from, const hal::Vec3& to);
 
+/// The part of the segment that is inside: where it begins and how long it is, m; 0 if there is
+/// none.
+struct Inside {
+  double begin = 0, length = 0;
+};
+Inside part_inside(const physics::Shape& shape, const hal::Vec3& from, const hal::Vec3& to);
+
 /// Finds the walls between two points, for radio obstacles. Bodies of agents are ignored.
 class LineOfSight {
  public:
@@ -34,6 +41,7 @@ class LineOfSight {
   struct Wall {
     std::size_t index;  ///< Among the walls, in the order in which they were added to the world.
     double thickness;   ///< Length inside it, m.
+    double begin;       ///< Distance from `from` at which the line enters it, m.
   };
   /// The walls one by one. Valid until the next call.
   std::span<const Wall> walls_between(const hal::Vec3& from, const hal::Vec3& to) const;

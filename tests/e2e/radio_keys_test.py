@@ -633,6 +633,8 @@ ELSEWHERE = {
     "range": "tests/unit/sim/radio/disk_mac_test.cpp",
     "quantum": "tests/unit/sim/radio/queue_discipline_test.cpp",
     "reorder_timeout": "tests/unit/sim/radio/recipient_agreement_test.cpp",
+    **dict.fromkeys(("constant_loss", "walls", "material", "ceiling_loss", "ceiling_b", "gap"),
+                    "tests/unit/sim/agents/multi_wall_test.cpp"),
     **dict.fromkeys(("background", "video", "voice"), "tests/unit/sim/radio/recipient_agreement_test.cpp, edca_test.cpp"),
 }
 

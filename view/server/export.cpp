@@ -89,6 +89,7 @@ std::vector<Wanted> add_worlds(const ViewApi& api, Answers& answers) {
   for (std::size_t i = 0; i < api.runs().size(); ++i) {
     const std::string run = fmt::format("/api/runs/{}/", i);
     answers.need(run + "world");
+    answers.need(run + "coverage");
     const Run::Contents contents = api.runs()[i]->contents();
     for (const std::int64_t agent : contents.agents) {
       answers.need(fmt::format("{}routes/{}", run, agent));

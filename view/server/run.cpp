@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "view/server/coverage.h"
 #include "view/server/movables.h"
 #include "view/server/plain_integer.h"
 #include "view/server/tiles.h"
@@ -55,6 +56,7 @@ Run::~Run() = default;
 
 std::optional<std::string> Run::answer(std::string_view path) {
   const std::lock_guard lock(mutex_);
+  if (path == "coverage") return coverage();
   if (!record_) {
     if (path != "world") return std::nullopt;
     return world_json(nullptr, &*scenario_, name_, said_);
@@ -92,6 +94,12 @@ std::optional<std::string> Run::answer_open(std::string_view path) {
   const auto index = plain_integer(rest.substr(second + 1));
   const auto span = level && index ? Span::of(*level, *index) : std::nullopt;
   return span ? tile(kind, *span) : std::nullopt;
+}
+
+std::string Run::coverage() {
+  if (!scenario_) return R"({"error": "the scenario can no longer be read"})";
+  if (known_.coverage.empty()) known_.coverage = coverage_json(*scenario_);
+  return known_.coverage;
 }
 
 std::string Run::world() {

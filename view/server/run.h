@@ -35,8 +35,8 @@ class Run {
   const std::string& name() const { return name_; }
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// The answer for world, KIND/LEVEL/INDEX, routes/AGENT or totals/AGENT; none if the path is not
-  /// valid.
+  /// The answer for world, coverage, KIND/LEVEL/INDEX, routes/AGENT or totals/AGENT; none if the
+  /// path is not valid.
   std::optional<std::string> answer(std::string_view path);
 
   /// What can be requested.
@@ -57,11 +57,13 @@ class Run {
     LastRows queues{"queues", "''"};
     SeriesStore series;
     LogLines log;
-    std::string world;  ///< World of a run that has ended; empty: not requested yet.
+    std::string coverage{};  ///< Empty: not requested yet.
+    std::string world;       ///< World of a run that has ended; empty: not requested yet.
   };
 
   std::optional<std::string> answer_open(std::string_view path);
   std::string world();
+  std::string coverage();
   std::optional<std::string> of_agent(std::string_view kind, std::int64_t agent);
   std::optional<std::string> tile(std::string_view kind, const Span& span);
 

@@ -8,6 +8,7 @@
 #include "sim/radio/channel/friis.h"
 #include "sim/radio/channel/log_distance.h"
 #include "sim/radio/channel/measured.h"
+#include "sim/radio/channel/multi_wall.h"
 #include "sim/radio/channel/nakagami.h"
 #include "sim/radio/channel/path_loss.h"
 #include "sim/radio/channel/power_law.h"
@@ -28,7 +29,7 @@ namespace sim::radio {
 ///
 /// Files can name all but the last one, by kModel.
 using PathLossConfig =
-    std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, TwoRayGroundConfig,
+    std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, MultiWallConfig, TwoRayGroundConfig,
                  TwoRayInterferenceConfig, MeasuredConfig, ShadowingConfig, NakagamiConfig,
                  RicianConfig, RayleighConfig, ForeignLawConfig>;
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/core/material.h"
+#include "sim/core/wall_crossings.h"
 
 namespace sim::radio {
 
@@ -46,6 +49,15 @@ class Obstacles {
   virtual hal::Decibels moving_loss(const End& /*from*/, const End& /*to*/) const { return {}; }
   /// Whether moving_loss() may be above 0 dB although bodies of agents do not attenuate.
   virtual bool has_movables() const { return false; }
+
+  /// Materials of the walls, in the order of WallCrossings::walls. The default has no walls.
+  virtual std::vector<Material> materials() const { return {}; }
+  /// Walls and ceilings that the segment crosses. Parts of walls of one material that are no
+  /// farther apart than `gap` along the segment are one wall.
+  virtual void crossings(const hal::Vec3& /*from*/, const hal::Vec3& /*to*/, hal::Metres /*gap*/,
+                         WallCrossings& crossed) const {
+    crossed = {};
+  }
 };
 
 }  // namespace sim::radio

@@ -52,6 +52,12 @@ void Propagation::add(const WavesConfig& config, const Obstacles& obstacles, con
   const PropagationConfig& air = config.propagation;
   for (const PathLossConfig& one : air.chain) add(path_loss(one, air, ground));
   if (air.obstacles) obstacles_ = &obstacles;
+  for (const PathLossConfig& one : air.chain) {
+    const auto* const law = std::get_if<MultiWallConfig>(&one);
+    if (law == nullptr) continue;
+    wall_losses_ = std::make_unique<WallLosses>(*law, obstacles, config.phy.channel);
+    obstacles_ = wall_losses_.get();
+  }
   if (air.obstacles && (!air.body_loss.is_none() || obstacles.has_movables()))
     moving_obstacles_ = &obstacles;
   delays_ = air.propagation_delay;

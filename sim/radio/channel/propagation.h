@@ -10,6 +10,7 @@
 #include "sim/core/ground.h"
 #include "sim/radio/channel/path_loss.h"
 #include "sim/radio/channel/ports.h"
+#include "sim/radio/channel/wall_losses.h"
 #include "sim/radio/radio_config.h"
 
 namespace sim::radio {
@@ -18,7 +19,8 @@ namespace sim::radio {
 hal::Dbm to_dbm(hal::Milliwatts power);
 hal::Milliwatts to_milliwatts(hal::Dbm level);
 
-/// From one antenna to another: what arrives of a frame. A chain of path losses, then the walls.
+/// From one antenna to another: what arrives of a frame. A chain of path losses, then the walls: by
+/// the multi-wall law if the chain has it, else, with `obstacles`, by their own losses.
 ///
 /// mobility_framework and ieee80211b: the chain of their config (path_loss_config.h). disk and
 /// ideal: Cutoff.
@@ -114,11 +116,12 @@ class Propagation {
     return is_receivable(free) && !is_receivable(left);
   }
 
-  Chain chain_, in_time_;                        ///< Of what is steady, and of the rest.
-  double most_gain_ = 1;                         ///< Of both chains.
-  double most_in_time_ = 1;                      ///< Of the second one.
-  const Obstacles* obstacles_ = nullptr;         ///< Null: walls do not matter.
-  const Obstacles* moving_obstacles_ = nullptr;  ///< Null: bodies do not matter.
+  std::unique_ptr<const WallLosses> wall_losses_;  ///< With a multi-wall law.
+  Chain chain_, in_time_;                          ///< Of what is steady, and of the rest.
+  double most_gain_ = 1;                           ///< Of both chains.
+  double most_in_time_ = 1;                        ///< Of the second one.
+  const Obstacles* obstacles_ = nullptr;           ///< Null: walls do not matter.
+  const Obstacles* moving_obstacles_ = nullptr;    ///< Null: bodies do not matter.
   bool delays_ = false;
   hal::Milliwatts sensitivity_{};
   hal::Milliwatts floor_{};

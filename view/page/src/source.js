@@ -178,6 +178,12 @@ function openRun({ index, name, folder, title }, world, from, { onArrival, cache
     routes: (agent) => whole(`${base}/routes/${agent}`),
     /** An agent's counters; null until they have come. */
     totals: (agent) => whole(`${base}/totals/${agent}`),
+    /** The radio coverage of the access points; null until it has come. */
+    coverage() {
+      const url = `${base}/coverage`;
+      if (!cache.look(url)) ask(url);
+      return cache.look(url)?.answer ?? null;
+    },
     get end() { return world.endsAt(); },
   };
 }

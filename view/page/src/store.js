@@ -13,7 +13,7 @@ const fresh = () => ({
   route: null, //             {topic, destination}: arrows of the chosen agent's table
   follow: null, //            agent that the camera stays on
   followed: null, //          {run, sender, id, at}: message that is followed over its hops
-  layers: { labels: true, links: true, frames: true, beams: true, trails: true, ranges: false, queues: true },
+  layers: { labels: true, links: true, frames: true, beams: true, trails: true, ranges: false, queues: true, coverage: false },
   mode2d: true, //            map (north up) or free 3-D
   map: null, //               {x, y, span}: middle and width of the map [m]; null: all
   orbit: null, //             {x, y, distance [m], yaw, pitch [rad]}: the free view; null: about what the map shows

@@ -34,7 +34,9 @@ world:
   physics:
     {step: 5 ms, gravity: 1.62 m/s^2, erp: 0.3, cfm: 1e-7, surface_layer: 0.2 mm,
      max_correcting_velocity: 0.2 m/s, ground_friction: 0.4, jam_contacts: 9, jam_robots: 5}
-  walls: [{name: w, size: [1 m, 2 m, 3 m], position: [4 m, 5 m], yaw: 10 deg, friction: 0.7,
+  ceilings: [{height: 2.5 m, loss: 20 dB}]
+  materials: [{name: door, loss: 2.5 dB, loss_5ghz: 3.5 dB}]
+  walls: [{name: w, size: [1 m, 2 m, 3 m], position: [4 m, 5 m], yaw: 10 deg, friction: 0.7, material: door,
            radio_loss: {per_crossing: 15 dB, per_metre: 2 dB/m}}]
   boxes: [{size: [1 m, 1 m, 0.1 m], position: [-4 m, -5 m]}]
 radio:
@@ -268,6 +270,10 @@ TEST_F(Resolved, KeepsTheWorld) {
   EXPECT_EQ(c.walls[1].name, "box0");
   EXPECT_EQ(c.walls[0].radio_loss, (ObstacleLoss{hal::Decibels{15}, 2}));
   EXPECT_EQ(c.walls[1].radio_loss, kBrickWall);
+  EXPECT_EQ(c.materials, (std::vector<Material>{{"door", hal::Decibels{2.5}, hal::Decibels{3.5}}}));
+  EXPECT_EQ(c.ceilings, (std::vector<Ceiling>{{hal::Metres{2.5}, hal::Decibels{20}}}));
+  EXPECT_EQ(c.walls[0].material, "door");
+  EXPECT_EQ(c.walls[1].material, "brick");
 }
 
 TEST_F(Resolved, KeepsTheChainOfPropagation) {
@@ -313,6 +319,18 @@ TEST_F(Resolved, KeepsTheOtherEntriesOfAChain) {
   EXPECT_TRUE(
       std::holds_alternative<radio::TwoRayGroundConfig>(chain("{model: two_ray_ground}").at(0)));
   EXPECT_TRUE(std::holds_alternative<radio::PowerLawConfig>(chain("").at(0)));
+  const auto walls = std::get<radio::MultiWallConfig>(
+      chain("{model: multi_wall, exponent: 2.5, constant_loss: -1 dB, ceiling_loss: 20 dB, "
+            "ceiling_b: 0.5, gap: 5 cm, walls: [{material: wood, loss: 3 dB}]}")
+          .at(0));
+  EXPECT_EQ(walls.exponent, 2.5);
+  EXPECT_EQ(walls.constant_loss.value, -1);
+  EXPECT_EQ(walls.ceiling_loss, hal::Decibels{20});
+  EXPECT_EQ(walls.ceiling_b, 0.5);
+  EXPECT_EQ(walls.gap.value, 0.05);
+  ASSERT_EQ(walls.walls.size(), 1u);
+  EXPECT_EQ(walls.walls[0].material, "wood");
+  EXPECT_EQ(walls.walls[0].loss.value, 3);
   const auto rician = chain("{model: power_law}, {model: rician, k: 3 dB, scatterer_speed: 2 m/s}");
   EXPECT_EQ(std::get<radio::RicianConfig>(rician.at(1)).k.value, 3);
   EXPECT_EQ(std::get<radio::RicianConfig>(rician.at(1)).scatterer_speed, 2);

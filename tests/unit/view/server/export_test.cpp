@@ -44,8 +44,8 @@ TEST_F(Export, HasAllAnswersThatThePageAsksFor) {
   EXPECT_EQ(exported.finest, 0);
   const json tiles = tiles_of(exported.html);
   for (const char* address :
-       {"/api/view", "/api/runs/0/world", "/api/runs/0/routes/3", "/api/runs/0/totals/1",
-        "/api/runs/0/poses/13/0", "/api/runs/0/states/13/0"}) {
+       {"/api/view", "/api/runs/0/world", "/api/runs/0/coverage", "/api/runs/0/routes/3",
+        "/api/runs/0/totals/1", "/api/runs/0/poses/13/0", "/api/runs/0/states/13/0"}) {
     EXPECT_TRUE(tiles.contains(address)) << address;
   }
   EXPECT_EQ(tiles["/api/runs/0/states/13/0"]["columns"]["state"][0], "</script><b>");

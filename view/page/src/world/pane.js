@@ -10,6 +10,7 @@ import { colour } from "../colours.js";
 import { paper } from "../paper.js";
 import { createBodies } from "./bodies.js";
 import { createCamera } from "./camera.js";
+import { createCoverage, createLegend } from "./coverage.js";
 import { createDots } from "./dots.js";
 import { createGrid, createWalls } from "./ground.js";
 import { createLinks } from "./links.js";
@@ -45,11 +46,12 @@ function createScene(run, slots) {
   const grid = createGrid(scene);
   const walls = createWalls(scene, run.world.walls ?? []);
   const movables = createMovables(scene, run.world.movables ?? []);
+  const coverage = createCoverage(scene, run);
   const links = createLinks(scene, run, slots);
   const trails = createTrails(scene, run, slots);
   const bodies = createBodies(scene, run.world);
   const dots = run.world.agents.length > many ? createDots(scene, run.world) : null;
-  return { scene, grid, walls, movables, links, trails, bodies, dots,
+  return { scene, grid, coverage, walls, movables, links, trails, bodies, dots,
     recolour() {
       scene.background.set(colour("ground"));
       for (const part of [grid, walls, movables, links, trails, bodies, dots]) part?.recolour();
@@ -103,6 +105,7 @@ export function createPane(parent, run, store) {
   const poses = createPoses(agents);
   const parts = createScene(run, slots);
   const marks = createMarks(run);
+  const legend = createLegend(element, parts.coverage, store);
   const air = { frames: createFrames(run, slots), routes: createRoutes(run, slots), queues: createQueues(run), followed: createFollowed(run, slots) };
   const period = run.world.recorded?.poses_period_ns ?? 0;
   let size = "";
@@ -140,6 +143,7 @@ export function createPane(parent, run, store) {
     const { width, height, ratio } = fit();
     if (!width || !height) return;
     tellTitle(state);
+    legend(state);
     move(state);
     const followed = state.follow === null ? undefined : slots.get(state.follow);
     camera.aim(state, width, height, run.world.bounds, followed === undefined ? null : { x: poses.x[followed], y: poses.y[followed] });
@@ -171,7 +175,7 @@ export function createPane(parent, run, store) {
   // Not drawn again if it is what it was: most of the time only marks move, and they are drawn over it.
   function drawScene(state, ratio) {
     const slot = chosenSlot(state);
-    const changed = [parts.grid.draw(camera), parts.movables.draw(movableRows(state), state.t, period, camera), parts.links.draw(state, poses, slot), parts.trails.draw(state, poses, slot),
+    const changed = [parts.grid.draw(camera), parts.coverage.draw(state), parts.movables.draw(movableRows(state), state.t, period, camera), parts.links.draw(state, poses, slot), parts.trails.draw(state, poses, slot),
       parts.bodies.draw(poses, camera, marks), parts.dots?.draw(poses, camera, marks, ratio)].includes(true);
     parts.walls.draw(camera);
     const { elements } = camera.eye.matrixWorldInverse;

@@ -1,5 +1,5 @@
 // What is shown in the world: map or 3-D, all in sight, layers.
-const names = { labels: "names", links: "links", frames: "frames", beams: "sensors", trails: "trails", ranges: "ranges", queues: "queues" };
+const names = { labels: "names", links: "links", frames: "frames", beams: "sensors", trails: "trails", ranges: "ranges", queues: "queues", coverage: "coverage" };
 
 export function switches(element, store) {
   const box = document.createElement("div");
