@@ -1,4 +1,5 @@
-# The target `packages`: three Debian packages in <build>/packages, by CPack, and baraka-doc where the site was built. What they need of other
+# The target `packages`: three Debian packages in <build>/packages, by CPack, baraka-sdf where its libraries are, and
+# baraka-doc where the site was built. What they need of other
 # packages is computed by dpkg-shlibdeps, but for the headers that libbaraka-dev leads to.
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -10,6 +11,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CPACK_PACKAGE_CONTACT "The BARAKA authors")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_COMPONENTS_ALL program dev agentd doc)
+if(BARAKA_SDF)
+  list(APPEND CPACK_COMPONENTS_ALL sdf)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -41,6 +45,13 @@ set(CPACK_DEBIAN_AGENTD_PACKAGE_RECOMMENDS systemd)
 set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/agentd/postinst
     ${PROJECT_SOURCE_DIR}/cmake/agentd/prerm)
 set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_SDF_PACKAGE_NAME baraka-sdf)
+set(CPACK_DEBIAN_SDF_DESCRIPTION "reads robots in URDF and SDF for BARAKA
+`baraka-sdf FILE` prints a robot as YAML; with this package, scenarios take `robot: {urdf: FILE}`,
+`robot: {sdf: FILE}` and `world: {sdf: FILE}`. In a package of its own for the libraries it needs.")
+set(CPACK_DEBIAN_SDF_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_SDF_PACKAGE_ENHANCES baraka)
 
 set(CPACK_DEBIAN_DOC_PACKAGE_NAME baraka-doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
