@@ -1,0 +1,75 @@
+// Worlds in SDF, as `world: {sdf: FILE}` of a scenario.
+#include <gtest/gtest.h>
+
+#include "sim/scenario/scenario.h"
+#include "tests/unit/programs/models/loaded.h"
+
+namespace programs::models::test {
+namespace {
+
+std::string scenario(const std::string& world) {
+  return "version: 1\nradio: {profile: ideal}\nworld:\n" + world +
+         "agents:\n  motes:\n    name: m{}\n    mote: {include: " + std::string(CONFIG_DIR) +
+         "/robots/mote.yaml}\n    poses: [{x: 50 m, y: 50 m}]\n    controller: {program: "
+         "help_mote}\n"
+         "end: [{at: 1 s, result: done}]\n";
+}
+
+void expect_wall(const sim::physics::StaticBox& wall, const std::string& name,
+                 const hal::Vec3& size, const hal::Vec3& centre, double yaw) {
+  EXPECT_EQ(wall.name, name);
+  constexpr double kMesh = 1e-8;  // m: corners of meshes are single precision
+  EXPECT_NEAR(wall.size.x, size.x, kMesh);
+  EXPECT_NEAR(wall.size.y, size.y, kMesh);
+  EXPECT_NEAR(wall.size.z, size.z, kMesh);
+  EXPECT_NEAR(wall.centre.x, centre.x, kMesh);
+  EXPECT_NEAR(wall.centre.y, centre.y, kMesh);
+  EXPECT_NEAR(wall.centre.z, centre.z, kMesh);
+  EXPECT_NEAR(wall.yaw, yaw, kMesh);
+}
+
+TEST(SdfWorld, StaticModelsAreWallsFromTheGroundUp) {
+  const Folder folder;
+  const auto file = folder.write(
+      "scenario.yaml",
+      scenario("  sdf: " + robots() + "static_world.sdf\n  search_path: " + robots() + "\n"));
+  const auto read = sim::scenario::load_scenario(file);
+  const auto& walls = read.simulation.walls;
+  ASSERT_EQ(walls.size(), 4U);
+  expect_wall(walls[0], "wall", {4, 0.2, 1}, {1, 2, 0.5}, 0.5);
+  EXPECT_EQ(walls[0].friction, 0.7);
+  expect_wall(walls[1], "pillar", {0.6, 0.6, 2}, {-1, 0, 1}, 0);
+  expect_wall(walls[2], "lamp", {0.4, 0.4, 2.2}, {0, 0, 1.1}, 0);
+  expect_wall(walls[3], "lamp_2", {0.2, 0.1, 0.14}, {2, 0, 0.07}, 0);
+}
+
+TEST(SdfWorld, KeysBesideItReplaceWhatTheFileSays) {
+  const Folder folder;
+  const auto file = folder.write(
+      "scenario.yaml",
+      scenario("  sdf: " + robots() + "static_world.sdf\n  search_path: " + robots() +
+               "\n  walls: {remove: [lamp], add: [{name: own, size: [1 m, 1 m, 1 m], position: "
+               "[9 m, 9 m]}]}\n"));
+  const auto read = sim::scenario::load_scenario(file);
+  const auto& walls = read.simulation.walls;
+  ASSERT_EQ(walls.size(), 4U);
+  EXPECT_EQ(walls[2].name, "lamp_2");
+  EXPECT_EQ(walls[3].name, "own");
+}
+
+TEST(SdfWorld, AFileWithoutAWorldIsAMistake) {
+  const Folder folder;
+  const auto file =
+      folder.write("scenario.yaml", scenario("  sdf: " + robots() + "gz_drive.sdf\n"));
+  try {
+    sim::scenario::load_scenario(file);
+    FAIL();
+  } catch (const hal::files::config::ConfigErrors& errors) {
+    EXPECT_NE(errors.messages().at(0).find("gz_drive.sdf:1:1: world: has 0 worlds, not one"),
+              std::string::npos)
+        << errors.what();
+  }
+}
+
+}  // namespace
+}  // namespace programs::models::test
