@@ -74,7 +74,8 @@ using Shape = std::variant<std::monostate, BodyCylinder, BodyBox>;  ///< monosta
 const std::array kShapes{alternative<Shape, BodyCylinder>({"cylinder", "An upright cylinder."}),
                          alternative<Shape, BodyBox>({"box", "A box."})};
 
-/// @param has_mass  false: the body's `inertia` holds all masses.
+/// @param has_mass  false: the body's `inertia` holds all masses, and that of a shape does not
+/// count.
 void shape_keys(Fields& io, Shape& shape, bool has_mass) {
   Mapping* const in = io.reading();
   const bool are_two = in != nullptr && in->has("cylinder") && in->has("box");
@@ -87,7 +88,7 @@ void shape_keys(Fields& io, Shape& shape, bool has_mass) {
   const auto mass = Overloaded{[&none](std::monostate& /*c*/) -> double& { return none; },
                                [](auto& c) -> double& { return c.mass; }};
   if (has_mass) return io.needed(kShapeMass, "kg", kMass, std::visit(mass, shape));
-  io.unused(kShapeMass.name, "is not used beside `inertia` of the link");
+  if (io.reading() != nullptr) io.reading()->has(kShapeMass.name);  // of an included file
 }
 
 /// Cylinders first, then boxes.
@@ -138,11 +139,12 @@ void keys_of(Fields& io, BodyInertia& c) {
 
 void link_keys(Fields& io, RobotDescription& robot) {
   BodyInertia inertia = robot.inertia.value_or(BodyInertia{});
-  const bool has_inertia = io.inside_given(
-      {"inertia",
-       "Mass and inertia of the body with its casters, without its driven wheels; the shapes then "
-       "have no `mass`. Absent: those of the shapes."},
-      robot.inertia.has_value(), [&](Fields& own) { keys_of(own, inertia); });
+  const bool has_inertia =
+      io.inside_given({"inertia",
+                       "Mass and inertia of the body with its casters, without its driven wheels; "
+                       "masses of shapes and "
+                       "casters do not count beside it. Absent: they make it."},
+                      robot.inertia.has_value(), [&](Fields& own) { keys_of(own, inertia); });
   if (has_inertia) robot.inertia = inertia;
   io.number({"friction",
              "Coefficient of friction of the body's surface. Where two bodies touch, the lower "
