@@ -10,6 +10,7 @@
 #include "hal/files/config/suggest.h"
 #include "hal/types/math.h"
 #include "programs/models/gentle.h"
+#include "programs/models/wheel_parts.h"
 
 namespace programs::models {
 namespace {
@@ -18,12 +19,11 @@ using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kLevel = 0.02;         ///< Slope of an axle or a sensor that counts as level.
-constexpr double kTouches = 3e-3;       ///< m, of a caster above or below the ground.
-constexpr double kSameGround = 0.01;    ///< m, between the heights on which wheels stand.
-constexpr double kHighestFriction = 1;  ///< With more, motors tip robots over.
-constexpr double kLeastMass = 1e-3;     ///< kg, what a robot file accepts
-constexpr double kLeastRadius = 1e-3;   ///< m, likewise
+constexpr double kLevel = 0.02;        ///< Slope of an axle or a sensor that counts as level.
+constexpr double kTouches = 3e-3;      ///< m, of a caster above or below the ground.
+constexpr double kSameGround = 0.01;   ///< m, between the heights on which wheels stand.
+constexpr double kLeastMass = 1e-3;    ///< kg, what a robot file accepts
+constexpr double kLeastRadius = 1e-3;  ///< m, likewise
 
 struct Chosen {
   const Joint* joint;
@@ -57,7 +57,7 @@ class Assembly {
   Robot robot_;
   std::vector<Chosen> chosen_;
   std::map<std::string, const Joint*> joint_to_;  ///< By child.
-  std::map<std::string, const Joint*> wheel_of_;  ///< By link: the wheel that it turns with.
+  WheelOfLink wheel_of_;
   std::set<const Collision*> casters_;
   double ground_ = 0;  ///< m, its z in the model's frame
 };
@@ -143,16 +143,6 @@ void Assembly::assign_links() {
   }
 }
 
-std::optional<double> friction_of_wheel(const Collision& collision, std::vector<Note>& notes) {
-  if (!collision.mu) return std::nullopt;
-  if (*collision.mu > 0 && *collision.mu <= kHighestFriction) return collision.mu;
-  notes.push_back(
-      {collision.line, fmt::format("the friction {} of '{}', which is not above 0 and at "
-                                   "most {}",
-                                   *collision.mu, collision.name, kHighestFriction)});
-  return std::nullopt;
-}
-
 void Assembly::add_wheel(const Chosen& chosen) {
   const Joint& joint = *chosen.joint;
   if (std::abs(joint.axis.z()) > kLevel)
@@ -161,20 +151,10 @@ void Assembly::add_wheel(const Chosen& chosen) {
                                  "{:.3f}, {:.3f}",
                                  joint.name, joint.axis.x(), joint.axis.y(), joint.axis.z()));
   RobotWheel wheel{.type = chosen.type, .position = joint.origin.head<2>(), .line = joint.line};
-  Vector3d middle = Vector3d::Zero();
-  double shapes = 0;
-  for (const ModelLink& link : model_.links) {
-    const auto of = wheel_of_.find(link.name);
-    if (of == wheel_of_.end() || of->second != &joint) continue;
-    if (link.inertial) wheel.mass += link.inertial->mass;
-    for (const Collision& one : link.collisions) {
-      const Isometry3d pose = link.pose * one.pose;
-      wheel.radius = std::max(wheel.radius, reach(one.shape, pose, joint.origin, joint.axis));
-      middle += centre_of(upright(one.shape, pose));
-      ++shapes;
-      if (!wheel.mu) wheel.mu = friction_of_wheel(one, robot_.notes);
-    }
-  }
+  const WheelParts parts = parts_of_wheel(model_, wheel_of_, joint, robot_.notes);
+  wheel.mass = parts.mass;
+  wheel.radius = parts.radius;
+  wheel.mu = parts.mu;
   const bool has_plugin = model_.drive.has_value();
   if (wheel.radius == 0 && has_plugin) wheel.radius = model_.drive->wheel_radius.value_or(0);
   if (wheel.radius == 0)
@@ -182,8 +162,7 @@ void Assembly::add_wheel(const Chosen& chosen) {
                      fmt::format("the wheel of '{}' has no collision shape, of which its "
                                  "radius would be taken",
                                  joint.name));
-  const double along = shapes == 0 ? 0 : joint.axis.dot(middle / shapes - joint.origin);
-  const Vector3d centre = joint.origin + along * joint.axis;
+  const Vector3d& centre = parts.centre;
   wheel.position = centre.head<2>();
   // It rolls towards axis x z, and a robot file's wheel towards its own axis + 90 degrees.
   wheel.axis = hal::math::atan2(-joint.axis.y(), -joint.axis.x());
