@@ -41,25 +41,40 @@ struct Asked {
   bool is_world = false, is_urdf = false, is_wrong = false;
 };
 
+/// @return false: the word is not an option that takes a value.
+bool take_value(const std::string& option, const std::string& value, Asked& asked) {
+  if (option == "--model") {
+    asked.model = value;
+  } else if (option == "--drive") {
+    asked.drive = value;
+  } else if (option == "--robot-path") {
+    asked.folders.emplace_back(value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void take_word(const std::string& word, Asked& asked) {
+  if (word == "--world") {
+    asked.is_world = true;
+  } else if (word == "--urdf") {
+    asked.is_urdf = true;
+  } else if (word.starts_with("--") || !asked.file.empty()) {
+    asked.is_wrong = true;
+  } else {
+    asked.file = word;
+  }
+}
+
 Asked asked_of(const std::vector<std::string>& words) {
   Asked asked;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string& word = words[i];
-    const bool takes = word == "--model" || word == "--drive" || word == "--robot-path";
-    if (takes && i + 1 == words.size()) asked.is_wrong = true;
-    if (takes && i + 1 < words.size()) {
-      const std::string& value = words[++i];
-      if (word == "--model") asked.model = value;
-      if (word == "--drive") asked.drive = value;
-      if (word == "--robot-path") asked.folders.emplace_back(value);
-    } else if (word == "--world") {
-      asked.is_world = true;
-    } else if (word == "--urdf") {
-      asked.is_urdf = true;
-    } else if (word.starts_with("--") || !asked.file.empty()) {
-      asked.is_wrong = true;
+    const bool is_last = i + 1 == words.size();
+    if (!is_last && take_value(words[i], words[i + 1], asked)) {
+      ++i;
     } else {
-      asked.file = word;
+      take_word(words[i], asked);
     }
   }
   asked.is_wrong = asked.is_wrong || asked.file.empty();

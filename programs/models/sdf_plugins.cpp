@@ -10,8 +10,9 @@ namespace {
 using ::sdf::ElementPtr;
 
 bool is_diff_drive(const std::string& filename, const std::string& name) {
-  return filename.find("diff_drive") != std::string::npos ||
-         filename.find("diff-drive") != std::string::npos || name.ends_with("::DiffDrive");
+  const auto has = [&](const char* part) { return filename.find(part) != std::string::npos; };
+  return has("diff_drive") || has("diff-drive") || has("DiffDrive") ||
+         name.ends_with("::DiffDrive");
 }
 
 std::vector<std::string> texts(const ElementPtr& plugin, std::initializer_list<const char*> keys) {
