@@ -17,6 +17,7 @@
 #include "results/record/look_log.h"
 #include "results/record/message_counts.h"
 #include "results/record/message_log.h"
+#include "results/record/movable_log.h"
 #include "results/record/observable_tables.h"
 #include "results/record/relay_counts.h"
 #include "results/record/route_log.h"
@@ -56,6 +57,10 @@ void add_air(Recording& of) {
     of.add<AirLog>(of.database, of.options.samples);
 }
 void add_bodies(Recording& of) { of.add<BodyLog>(of.database, of.options.pose_period, of.commits); }
+void add_movables(Recording& of) {
+  if (!of.config.movables.empty())
+    of.add<MovableLog>(of.database, of.config.movables, of.options.pose_period, of.commits);
+}
 void add_use(Recording& of) { of.add<AgentUseLog>(of.database, of.options.counts_frames()); }
 void add_interfaces(Recording& of) { of.add<InterfaceCounts>(of.database); }
 void add_routes(Recording& of) {
@@ -104,6 +109,7 @@ constexpr Topic kTopics[] = {
     {ledger_tables, add_air},
     {observable_tables},
     {BodyLog::tables, add_bodies},
+    {MovableLog::tables, add_movables},
     {ControllerLog::state_tables, add_plain<ControllerLog>},
     {EventLog::scripted_tables, add_events},
     {ControllerLog::value_tables},

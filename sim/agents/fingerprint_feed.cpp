@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sim/agents/ppdu_content.h"
+#include "sim/core/event_queue.h"
 #include "sim/radio/mac/frame.h"
 
 namespace sim::agents {
@@ -153,6 +154,15 @@ void FingerprintFeed::on_reception(hal::Time at, const radio::Frame& frame, hal:
 void FingerprintFeed::on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
   Fingerprint::Cell& hash = fingerprint_.at(Part::kBodies, agent, at);
   for (const double value : {body.x, body.y, body.theta, body.tilt}) hash.add(value);
+}
+
+/// All movables together: their agent is 0.
+void FingerprintFeed::on_movable(hal::Time at, std::uint32_t number,
+                                 const physics::BodyPose& pose) {
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kBodies, kWorld, at);
+  hash.add(std::uint64_t{number});
+  for (const double value : {pose.position.x, pose.position.y, pose.position.z}) hash.add(value);
+  for (const double value : pose.quaternion) hash.add(value);
 }
 
 void FingerprintFeed::on_air_entered(hal::Time at, hal::AgentId agent,

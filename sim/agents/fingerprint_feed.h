@@ -29,6 +29,7 @@ class FingerprintFeed final : public Observer {
   void on_association(hal::Time at, hal::AgentId station,
                       std::optional<hal::AgentId> access_point) override;
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override;
+  void on_movable(hal::Time at, std::uint32_t number, const physics::BodyPose& pose) override;
   void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) override;
   void on_event(const hal::node::exchange::Event& event) override;
   void on_action(hal::Time at, const hal::node::exchange::Action& action) override;

@@ -45,9 +45,14 @@ class Observer : public radio::RadioObserver, public hal::node::agent::AgentObse
   virtual void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
     (void)at, (void)agent, (void)body;
   }
+  /// Called for each movable at the start and then, once per control period, if it has moved.
+  /// @param number  its number in the world.
+  virtual void on_movable(hal::Time at, std::uint32_t number, const physics::BodyPose& pose) {
+    (void)at, (void)number, (void)pose;
+  }
   /// The physics step that ended now placed its body elsewhere, as the scenario demands.
   virtual void on_displaced(hal::Time at, hal::AgentId agent) { (void)at, (void)agent; }
-  /// A body tipped over or was lost; called once per body, after the physics step.
+  /// An agent's body tipped over or was lost; called once per body, after the physics step.
   virtual void on_body_lost(const physics::LostBody& lost) { (void)lost; }
   /// A scripted action was done to an agent or to the medium.
   virtual void on_scripted(const ScriptedDone& done) { (void)done; }

@@ -37,6 +37,7 @@ class ObserverList : public Observer {
     listen<&One::on_association>(association_, observer);
     listen<&One::on_start>(start_, observer);
     listen<&One::on_body>(body_, observer);
+    listen<&One::on_movable>(movable_, observer);
     listen<&One::on_displaced>(displaced_, observer);
     listen<&One::on_cycle>(cycle_, observer);
     listen<&One::on_pose>(pose_, observer);
@@ -106,6 +107,9 @@ class ObserverList : public Observer {
   }
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override {
     for (Observer* o : body_) o->on_body(at, agent, body);
+  }
+  void on_movable(hal::Time at, std::uint32_t number, const physics::BodyPose& pose) override {
+    for (Observer* o : movable_) o->on_movable(at, number, pose);
   }
   void on_displaced(hal::Time at, hal::AgentId agent) override {
     for (Observer* o : displaced_) o->on_displaced(at, agent);
@@ -205,7 +209,7 @@ class ObserverList : public Observer {
 
   std::vector<Observer*> frame_start_, faint_, frame_cut_, sinr_, reception_, delivered_,
       request_end_, relay_lost_, relay_queued_, queue_, msdu_end_, association_, start_, body_,
-      displaced_, cycle_, pose_, reading_, body_lost_, event_, action_, message_sent_,
+      movable_, displaced_, cycle_, pose_, reading_, body_lost_, event_, action_, message_sent_,
       message_delivered_, fate_, message_end_, protocol_event_, discovery_, route_change_,
       air_entered_, air_left_, air_refused_, arrival_, scripted_, turn_, state_, record_;
 };

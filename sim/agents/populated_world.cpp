@@ -17,6 +17,7 @@ std::unique_ptr<physics::World> populated_world(const SimulationConfig& config) 
       world->add_robot(agent.id, *robot, pose);
     }
   }
+  for (const physics::Movable& movable : config.movables) world->add_movable(movable);
   return world;
 }
 

@@ -45,7 +45,8 @@ void Simulation::State::start() {
     if (!agent->config().is_present) kill(id);
     agent->start();
   }
-  if (std::ranges::any_of(config.agents, has_body)) {
+  movables.start(events.now(), observers);
+  if (std::ranges::any_of(config.agents, has_body) || !config.movables.empty()) {
     events.schedule(hal::Time{} + config.world.step, Rank::kPhysics, kWorld,
                     [this] { step_bodies(); });
   }
@@ -75,17 +76,19 @@ void Simulation::State::on_end(const EndCondition& condition) {
 void Simulation::State::step_bodies() {
   world->step();
   for (SimulatedRobot* const robot : fed_robots) robot->feed_motors();
+  movables.on_step(events.now(), observers);
   for (const hal::AgentId agent : std::exchange(displaced, {})) {
     air.displace(agent);
     observers.on_displaced(events.now(), agent);
   }
   let_arrive();
   for (const physics::LostBody& lost : world->lost_bodies().subspan(bodies_lost.size())) {
-    const std::string& name = agents.at(lost.agent)->name();
+    const std::string& name =
+        lost.movable ? config.movables[*lost.movable].name : agents.at(lost.agent)->name();
     hal::log::warning(events.now(), name, "{}", physics::name(lost.how));
     bodies_lost.push_back(
         fmt::format("{} {} at {:.9f} s", name, physics::name(lost.how), hal::to_seconds(lost.at)));
-    observers.on_body_lost(lost);
+    if (!lost.movable) observers.on_body_lost(lost);
   }
   events.schedule(events.now() + config.world.step, Rank::kPhysics, kWorld,
                   [this] { step_bodies(); });

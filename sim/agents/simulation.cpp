@@ -1,6 +1,7 @@
 #include "sim/agents/simulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -13,8 +14,11 @@
 namespace sim::agents {
 namespace {
 
-/// Upper bound of the speed of every body [m/s]: twice that of the fastest robot, to include pushed
-/// bodies; 0 without robots.
+/// Bound of the speed at which a falling movable pushes a body [m/s].
+constexpr double kFallingSpeed = 1;
+
+/// Upper bound of the speed of every body [m/s]: twice that of the fastest robot or movable, to
+/// include pushed bodies; 0 without any.
 double speed_bound(const physics::World& world, const SimulationConfig& config) {
   double bound = 0;
   for (const AgentConfig& agent : config.agents) {
@@ -22,6 +26,9 @@ double speed_bound(const physics::World& world, const SimulationConfig& config) 
     const hal::Twist2 limits = world.drive(agent.id).limits();
     bound = std::max({bound, 2 * limits.vx, 2 * limits.vy});
   }
+  for (const physics::Movable& movable : config.movables)
+    bound = std::max(
+        {bound, kFallingSpeed, 2 * std::abs(movable.velocity.x), 2 * std::abs(movable.velocity.y)});
   return bound;
 }
 
@@ -76,6 +83,7 @@ Simulation::State::State(const SimulationConfig& the_config,
                   .outside = outside,
                   .observer = observers,
                   .break_off = [this] { broken_off = true; }}),
+      movables(*world, config.control_period),
       watch({.events = events,
              .position = [this](hal::AgentId agent) -> std::optional<hal::Vec2> {
                if (!agents.at(agent)->is_present()) return std::nullopt;

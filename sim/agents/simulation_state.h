@@ -12,6 +12,7 @@
 #include "sim/agents/condition_watch.h"
 #include "sim/agents/controllers.h"
 #include "sim/agents/interfaces.h"
+#include "sim/agents/movable_watch.h"
 #include "sim/agents/observer_list.h"
 #include "sim/agents/script.h"
 #include "sim/agents/simulated_mote.h"
@@ -102,6 +103,7 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   radio::RadioNetwork air;
   Interfaces interfaces;
   hal::node::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
+  MovableWatch movables;
   std::vector<SimulatedRobot*> fed_robots;  ///< Those with batteries, by address.
   Controllers controllers;
   std::vector<hal::AgentId> waiting;  ///< Agents with events in their inbox; may repeat.

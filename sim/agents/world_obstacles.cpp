@@ -31,7 +31,7 @@ double length_inside(const physics::World& world, hal::AgentId agent, const hal:
 }  // namespace
 
 WorldObstacles::WorldObstacles(const physics::World& world, const SimulationConfig& config)
-    : world_(world), line_of_sight_(world), grid_(kCell) {
+    : world_(world), line_of_sight_(world), grid_(kCell), movables_(world, config.movables) {
   for (const physics::StaticBox& wall : config.walls) walls_.push_back(wall.radio_loss);
   const radio::WavesConfig* const waves = radio::waves_of(config.radio);
   if (waves != nullptr) body_ = waves->propagation.body_loss;
@@ -54,9 +54,10 @@ hal::Decibels WorldObstacles::loss(const hal::Vec3& from, const hal::Vec3& to) c
 }
 
 hal::Decibels WorldObstacles::moving_loss(const End& from, const End& to) const {
+  double sum = movables_.loss(from.antenna, to.antenna);
+  if (body_.is_none()) return hal::Decibels{sum};
   if (followed_ != world_.steps()) follow();
   collect(from.antenna, to.antenna);
-  double sum = 0;
   for (const std::uint32_t i : near_) {
     if (agents_[i] == from.agent || agents_[i] == to.agent) continue;
     sum += decibels(body_, length_inside(world_, agents_[i], from.antenna, to.antenna));

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/agents/movable_obstacles.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/core/cell_grid.h"
 #include "sim/core/obstacle_loss.h"
@@ -22,6 +23,7 @@ class WorldObstacles final : public radio::Obstacles {
 
   hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const override;
   hal::Decibels moving_loss(const End& from, const End& to) const override;
+  bool has_movables() const override { return !movables_.empty(); }
 
  private:
   void follow() const;
@@ -38,6 +40,7 @@ class WorldObstacles final : public radio::Obstacles {
   /// Physics step for which the grid is up to date.
   mutable std::optional<std::uint64_t> followed_;
   mutable std::vector<std::uint32_t> near_;
+  MovableObstacles movables_;
 };
 
 }  // namespace sim::agents

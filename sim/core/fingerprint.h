@@ -18,7 +18,7 @@ namespace sim {
 /// Part of a run that a hash covers.
 enum class Part : std::uint8_t {
   kAir,       ///< Frame starts and bytes, verdict and power of every reception.
-  kBodies,    ///< Pose of each agent at its control instants.
+  kBodies,    ///< Pose of each agent at its control instants, and of the movables that moved.
   kExchange,  ///< Events and actions.
   kRouting,   ///< Route changes.
 };

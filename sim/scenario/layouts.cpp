@@ -18,22 +18,22 @@ constexpr std::int64_t kMostAgents = hal::kLastAddress;
 constexpr Range kDistance{0, 1e6};  // m
 
 void count_key(Fields& io, int& count) {
-  io.needed_count({"count", "Number of agents.", "10"}, 1, kMostAgents, count);
+  io.needed_count({"count", "How many of them.", "10"}, 1, kMostAgents, count);
 }
 
 void yaw_key(Fields& io, double& yaw) {
-  io.number({"yaw", "Heading of all agents, counter-clockwise from the x axis.", "90 deg"}, "rad",
+  io.number({"yaw", "Heading of all of them, counter-clockwise from the x axis.", "90 deg"}, "rad",
             kAngle, yaw);
 }
 
 void origin_key(Fields& io, hal::Vec2& origin) {
-  io.vec2({"origin", "Position of the first agent, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
+  io.vec2({"origin", "Position of the first one, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
           origin);
 }
 
 void layout_keys(Fields& io, GridLayout& c) {
-  io.needed_count({"columns", "Number of agents along x.", "5"}, 1, kMostAgents, c.columns);
-  io.needed_count({"rows", "Number of agents along y.", "5"}, 1, kMostAgents, c.rows);
+  io.needed_count({"columns", "How many along x.", "5"}, 1, kMostAgents, c.columns);
+  io.needed_count({"rows", "How many along y.", "5"}, 1, kMostAgents, c.rows);
   io.needed({"spacing", "Distance between neighbours along x and along y.", "[125 m, 125 m]"}, "m",
             {0, kCoordinate.high}, c.spacing);
   origin_key(io, c.origin);
@@ -50,7 +50,7 @@ void layout_keys(Fields& io, CircleLayout& c) {
 
 void layout_keys(Fields& io, LineLayout& c) {
   count_key(io, c.count);
-  io.needed({"spacing", "Distance from one agent to the next.", "30 m"}, "m", kDistance, c.spacing);
+  io.needed({"spacing", "Distance from one to the next.", "30 m"}, "m", kDistance, c.spacing);
   origin_key(io, c.origin);
   io.number({"heading", "Direction of the line, counter-clockwise from the x axis.", "90 deg"},
             "rad", kAngle, c.heading);
@@ -63,19 +63,20 @@ void layout_keys(Fields& io, UniformLayout& c) {
             c.from);
   io.needed({"to", "Opposite corner of the rectangle, world frame.", "[100 m, 100 m]"}, "m",
             kCoordinate, c.to);
-  io.number({"spacing", "Smallest distance between any two agents of the group.", "1 m"}, "m",
-            kDistance, c.spacing);
+  io.number({"spacing", "Smallest distance between any two of them.", "1 m"}, "m", kDistance,
+            c.spacing);
   yaw_key(io, c.yaw);
 }
 
 const std::array kLayouts{
-    alternative<Placement, GridLayout>({"grid", "Places the agents on a grid, row by row."}),
+    alternative<Placement, GridLayout>({"grid", "Places them on a grid, row by row."}),
     alternative<Placement, CircleLayout>(
-        {"circle", "Places the agents evenly on a circle, the first one in the direction of x."}),
-    alternative<Placement, LineLayout>({"line", "Places the agents on a straight line."}),
-    alternative<Placement, UniformLayout>({"uniform",
-                                           "Places the agents at random, uniformly in a rectangle; "
-                                           "depends on the run's seed and the group's name."})};
+        {"circle", "Places them evenly on a circle, the first one in the direction of x."}),
+    alternative<Placement, LineLayout>({"line", "Places them on a straight line."}),
+    alternative<Placement, UniformLayout>(
+        {"uniform",
+         "Places them at random, uniformly in a rectangle; depends "
+         "on the run's seed and the group's name."})};
 
 /// Poses are not a mapping.
 void layout_keys(Fields& /*io*/, std::vector<hal::Pose2>& /*poses*/) {}

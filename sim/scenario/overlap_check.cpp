@@ -19,7 +19,7 @@ using physics::Shape;
 /// m; depth that rounding may give to bodies that only touch.
 constexpr double kRounding = 1e-6;
 
-/// One wall, or all shapes of one agent.
+/// One wall or movable, or all shapes of one agent.
 struct Body {
   std::span<const Shape> shapes;
   hal::Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -39,11 +39,11 @@ void enclose(Body& body, const Shape& shape) {
                std::max(body.high.y, shape.centre.y + y)};
 }
 
-/// Walls first, then agents, in order of declaration, which is the order of the shapes.
+/// Walls first, then agents, then movables, in order of declaration, which is that of the shapes.
 std::vector<Body> bodies_of(std::span<const Shape> shapes) {
   std::vector<Body> bodies;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const bool same = i > 0 && !shapes[i].is_static() && shapes[i].owner == shapes[i - 1].owner;
+    const bool same = i > 0 && shapes[i].is_of_body(shapes[i - 1]);
     if (!same) bodies.push_back({.shapes = shapes.subspan(i, 0)});
     Body& body = bodies.back();
     body.shapes = shapes.subspan(i - body.shapes.size(), body.shapes.size() + 1);
@@ -112,50 +112,58 @@ class Sweep {
   std::vector<Meeting> meetings_;
 };
 
-/// Names, groups and places of agents.
+/// Names and places of what may move.
 class Directory {
  public:
   explicit Directory(const Scenario& scenario) {
     for (const agents::AgentConfig& agent : scenario.simulation.agents)
-      entries_[agent.id].config = &agent;
+      entries_[agent.id] = {agent.name, {agent.pose.x, agent.pose.y}, ""};
     for (const Group& group : scenario.groups) {
       for (std::size_t i = 0; i < group.agents.size(); ++i) {
-        entries_[group.agents[i]].group = group.name;
-        entries_[group.agents[i]].place = group.places[i];
+        entries_[group.agents[i]].prefix =
+            fmt::format("{}: agents.{}", group.places[i], group.name);
       }
+    }
+    const auto& places = scenario.movable_places;
+    for (const physics::Movable& movable : scenario.simulation.movables) {
+      const std::size_t i = movables_.size();
+      const std::string place = i < places.size() ? places[i] + ": " : "";
+      movables_.push_back(
+          {movable.name, {movable.pose.x, movable.pose.y}, place + "world.movables"});
     }
   }
 
-  const agents::AgentConfig& config(const Body& body) const { return *entry(body).config; }
-
-  std::string prefix(const Body& body) const {
-    return fmt::format("{}: agents.{}", entry(body).place, entry(body).group);
+  struct Entry {
+    std::string name;
+    hal::Vec2 at;        ///< m
+    std::string prefix;  ///< Of messages.
+  };
+  /// @param body  not static. @param bodies  all.
+  const Entry& entry(const Body& body, const std::vector<Body>& bodies) const {
+    const Shape& shape = body.shapes.front();
+    if (!shape.is_movable) return entries_.at(shape.owner);
+    const auto behind = static_cast<std::size_t>(&bodies.back() - &body);
+    return movables_[movables_.size() - 1 - behind];
   }
 
  private:
-  struct Entry {
-    const agents::AgentConfig* config = nullptr;
-    std::string group, place;
-  };
-  const Entry& entry(const Body& body) const { return entries_.at(body.shapes.front().owner); }
-
   std::map<hal::AgentId, Entry> entries_;
+  std::vector<Entry> movables_;
 };
 
 std::string told(const Meeting& meeting, const std::vector<Body>& bodies, const Scenario& scenario,
                  const Directory& directory) {
-  const Body& body = bodies[meeting.body];
+  const Directory::Entry& later = directory.entry(bodies[meeting.body], bodies);
+  const std::string start = fmt::format("{}: at the start {}", later.prefix, later.name);
   const Body& other = bodies[meeting.other];
-  const agents::AgentConfig& agent = directory.config(body);
-  const std::string prefix = directory.prefix(body);
   if (other.is_static()) {
-    return fmt::format("{}: at the start {} is {:.3g} m deep in '{}'", prefix, agent.name,
-                       meeting.depth, scenario.simulation.walls[meeting.other].name);
+    return fmt::format("{} is {:.3g} m deep in '{}'", start, meeting.depth,
+                       scenario.simulation.walls[meeting.other].name);
   }
-  const agents::AgentConfig& earlier = directory.config(other);
-  const hal::Vec2 apart{agent.pose.x - earlier.pose.x, agent.pose.y - earlier.pose.y};
-  return fmt::format("{}: at the start {} overlaps {} by {:.3g} m; they are {:.3g} m apart", prefix,
-                     agent.name, earlier.name, meeting.depth, std::sqrt(hal::dot(apart, apart)));
+  const Directory::Entry& earlier = directory.entry(other, bodies);
+  const hal::Vec2 apart = later.at - earlier.at;
+  return fmt::format("{} overlaps {} by {:.3g} m; they are {:.3g} m apart", start, earlier.name,
+                     meeting.depth, std::sqrt(hal::dot(apart, apart)));
 }
 
 }  // namespace
@@ -170,9 +178,10 @@ std::vector<std::string> overlaps(const Scenario& scenario) {
   for (std::size_t i = 0; i < std::min(found.size(), kMostLines); ++i)
     lines.push_back(told(found[i], bodies, scenario, directory));
   if (found.size() > kMostLines) {
-    lines.push_back(fmt::format("{}: and so do {} more agents",
-                                directory.prefix(bodies[found[kMostLines].body]),
-                                found.size() - kMostLines));
+    const Body& next = bodies[found[kMostLines].body];
+    lines.push_back(fmt::format("{}: and so do {} more {}", directory.entry(next, bodies).prefix,
+                                found.size() - kMostLines,
+                                next.shapes.front().is_movable ? "bodies" : "agents"));
   }
   return lines;
 }

@@ -7,10 +7,12 @@
 
 namespace sim::scenario {
 
-/// Finds bodies that overlap at the start: robots and motes with one another and with walls and
-/// boxes, by their exact shapes. Bodies may overlap as deep as resting contacts do
+/// Finds bodies that overlap at the start: robots, motes and movables with one another and with
+/// walls and boxes, by their exact shapes, a sphere by the cylinder around it. Bodies may overlap
+/// as deep as resting contacts do
 /// (`surface_layer`); walls and boxes may overlap one another.
-/// @return one line for each agent that overlaps something declared before it, "file:line:column:
+/// @return one line for each agent or movable that overlaps something declared before it,
+/// "file:line:column:
 ///   agents.group: r1 overlaps r0 by …": at most kMostLines, then one with the number of the rest.
 std::vector<std::string> overlaps(const Scenario& scenario);
 

@@ -11,6 +11,7 @@
 #include "sim/scenario/fields.h"
 #include "sim/scenario/ip_routes.h"
 #include "sim/scenario/loss_section.h"
+#include "sim/scenario/movables_section.h"
 #include "sim/scenario/network_section.h"
 #include "sim/scenario/outcome_section.h"
 #include "sim/scenario/overlap_check.h"
@@ -51,8 +52,10 @@ void check_sections(Mapping& in, Scenario& scenario) {
 void keys_of(Fields& io, Scenario& scenario) {
   agents::SimulationConfig& config = scenario.simulation;
   run_keys(io, scenario);
-  io.inside({"world", "Walls, boxes and the physics engine."},
-            [&](Fields& world) { world_keys(world, config); });
+  io.inside({"world", "Walls, boxes, movables and the physics engine."}, [&](Fields& world) {
+    world_keys(world, config);
+    movables_key(world, scenario);
+  });
   io.inside({"radio", "The radio of all agents."},
             [&](Fields& radio) { keys_of(radio, config.radio); });
   hal::files::description::routing_key(io, config.routing, link_capabilities(config));

@@ -112,6 +112,8 @@ struct Scenario {
   std::string name;  ///< `name:`, or the file's name without extension.
   agents::SimulationConfig simulation;
   std::vector<Group> groups;  ///< In order of declaration.
+  /// "file:line:column" of each movable, for those that the scenario describes itself.
+  std::vector<std::string> movable_places;
   std::vector<Expectation> expectations;
   std::optional<hal::Duration> reply_timeout = 10s;  ///< nullopt: no limit.
   hal::Duration wait = 30s;  ///< For the next controller to connect, before the start.

@@ -45,7 +45,10 @@ bool can_stop_waves(const Scenario& scenario, const PropagationConfig& propagati
       walls, [](const physics::StaticBox& wall) { return !wall.radio_loss.is_none(); });
   const bool has_bodies = std::ranges::any_of(
       scenario.simulation.agents, [](const AgentConfig& agent) { return has_body(agent); });
-  return has_wall || (has_bodies && !propagation.body_loss.is_none());
+  const bool has_movable = std::ranges::any_of(
+      scenario.simulation.movables,
+      [](const physics::Movable& movable) { return !movable.radio_loss.is_none(); });
+  return has_wall || has_movable || (has_bodies && !propagation.body_loss.is_none());
 }
 
 }  // namespace
@@ -55,9 +58,10 @@ void check_waves(Mapping& in, const Scenario& scenario) {
   if (waves == nullptr) return;
   if (has_two_rays(waves->propagation)) check_heights(in, scenario, waves->propagation);
   if (waves->propagation.obstacles && !can_stop_waves(scenario, waves->propagation)) {
-    in.within("radio").warn("obstacles",
-                            "has no effect: there is no wall with a radio_loss, nor a body with "
-                            "body_loss_per_crossing or body_loss_per_metre");
+    in.within("radio").warn(
+        "obstacles",
+        "has no effect: there is no wall or movable with a radio_loss, nor a body with "
+        "body_loss_per_crossing or body_loss_per_metre");
   }
 }
 

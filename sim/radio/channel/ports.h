@@ -36,6 +36,8 @@ class Obstacles {
   };
   /// Loss by obstacles that may move, evaluated when a frame starts. The default is 0 dB.
   virtual hal::Decibels moving_loss(const End& /*from*/, const End& /*to*/) const { return {}; }
+  /// Whether moving_loss() may be above 0 dB although bodies of agents do not attenuate.
+  virtual bool has_movables() const { return false; }
 };
 
 }  // namespace sim::radio

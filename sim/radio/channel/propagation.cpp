@@ -42,7 +42,8 @@ void Propagation::add(const WavesConfig& config, const Obstacles& obstacles, con
   const PropagationConfig& air = config.propagation;
   for (const PathLossConfig& one : air.chain) add(path_loss(one, air, ground));
   if (air.obstacles) obstacles_ = &obstacles;
-  if (air.obstacles && !air.body_loss.is_none()) moving_obstacles_ = &obstacles;
+  if (air.obstacles && (!air.body_loss.is_none() || obstacles.has_movables()))
+    moving_obstacles_ = &obstacles;
   delays_ = air.propagation_delay;
   sensitivity_ = to_milliwatts(config.receiver.sensitivity);
   floor_ = to_milliwatts(air.interference_floor);

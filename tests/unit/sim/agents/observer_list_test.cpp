@@ -100,6 +100,7 @@ constexpr std::array kCallbacks{
     callback<OfAssociation, &Observer::on_association>("on_association"),
     callback<OfStart, &Observer::on_start>("on_start"),
     callback<OfBody, &Observer::on_body>("on_body"),
+    callback<OfMovable, &Observer::on_movable>("on_movable"),
     callback<OfDisplaced, &Observer::on_displaced>("on_displaced"),
     callback<OfBodyLost, &Observer::on_body_lost>("on_body_lost"),
     callback<OfScripted, &Observer::on_scripted>("on_scripted"),

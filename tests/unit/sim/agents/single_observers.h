@@ -112,6 +112,11 @@ struct OfStart final : Heard {
 struct OfBody final : Heard {
   void on_body(Time at, AgentId agent, const BodyState& body) override { heard(at, agent, body); }
 };
+struct OfMovable final : Heard {
+  void on_movable(Time at, std::uint32_t number, const physics::BodyPose& pose) override {
+    heard(at, number, pose);
+  }
+};
 struct OfDisplaced final : Heard {
   void on_displaced(Time at, AgentId agent) override { heard(at, agent); }
 };

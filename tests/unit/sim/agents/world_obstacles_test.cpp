@@ -99,6 +99,41 @@ TEST(WorldObstacles, BodiesCountWhereTheyAreNowButNotTheEndsOwn) {
   EXPECT_EQ(loss(kB), 0) << "it has passed";
 }
 
+// The robot pushes a steel ball of 0.4 m across the way; bodies of agents do not attenuate.
+TEST(WorldObstacles, MovablesCountWhereTheyAreNow) {
+  SimulationConfig config;
+  config.agents.push_back({.id = kA,
+                           .name = "a",
+                           .pose = {0, -1.5, 0},
+                           .body = sim::physics::test::robertino(),
+                           .program = {},
+                           .parameters = {}});
+  sim::physics::Movable glass{.name = "glass", .form = sim::physics::MovableBox{{9, 9, 1}}};
+  sim::physics::Movable ball{.name = "ball", .form = sim::physics::MovableSphere{0.2}};
+  glass.pose.x = 50;
+  ball.pose.y = -1;
+  ball.rolling_resistance = 1;
+  ball.radio_loss = {hal::Decibels{20}, 10};
+  config.movables = {glass, ball};
+  const auto world = populated_world(config);
+  const WorldObstacles obstacles(*world, config);
+  EXPECT_TRUE(obstacles.has_movables());
+  const auto loss = [&] {
+    return obstacles.moving_loss({kB, {-3, 0, 0.2}}, {hal::AgentId{9}, {3, 0, 0.2}}).value;
+  };
+  EXPECT_EQ(loss(), 0) << "it is beside the way";
+  (void)world->set_body_velocity(kA, {0, 0.4, 0});
+  double most = 0;
+  for (int i = 0; i < 600; ++i) {
+    world->step();
+    most = std::max(most, loss());
+  }
+  EXPECT_NEAR(most, 20 + 10 * 0.4, 0.05);  // dB: its diameter
+  EXPECT_EQ(loss(), 0) << "it has passed";
+  config.movables = {glass};
+  EXPECT_FALSE(WorldObstacles(*populated_world(config), config).has_movables());
+}
+
 /// A row of motes, 10 m apart, with a wall between the third and the fourth, 1 m high.
 SimulationConfig divided(double thickness) {
   SimulationConfig config;
