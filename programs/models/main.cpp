@@ -15,6 +15,7 @@
 #include "programs/models/robot_yaml.h"
 #include "programs/models/sdf_reader.h"
 #include "programs/models/urdf.h"
+#include "programs/models/world_yaml.h"
 
 /// baraka-sdf: prints a robot in URDF or SDF, or a world in SDF, as YAML of BARAKA. Messages are
 /// "FILE:LINE:1: WHAT" or "drive.KEY: WHAT". Exit status: 0 done, 1 the file or `drive` is wrong,
@@ -33,7 +34,7 @@ constexpr const char* kUsage =
     "  --robot-path DIR  where package:// and model:// are searched for, before ROS_PACKAGE_PATH,\n"
     "                    AMENT_PREFIX_PATH and GZ_SIM_RESOURCE_PATH\n"
     "  --urdf            the file is URDF, whatever its name\n"
-    "  --world           print the static models of an SDF world as walls\n";
+    "  --world           print the models of an SDF world as walls and movables\n";
 
 struct Asked {
   std::string file, model, drive;

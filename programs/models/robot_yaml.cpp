@@ -3,71 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
-#include "hal/files/config/value.h"
 #include "hal/types/math.h"
 #include "hal/types/overloaded.h"
-#include "hal/types/printable.h"
+#include "programs/models/yaml_text.h"
 
 namespace programs::models {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/// Adding 0 makes -0 positive.
-std::string value(double number, std::string_view unit) {
-  return hal::files::config::format_value(number + 0.0, unit);
-}
-
-std::string list(std::initializer_list<double> numbers, std::string_view unit) {
-  std::string text;
-  for (const double one : numbers) text += (text.empty() ? "" : ", ") + value(one, unit);
-  return "[" + text + "]";
-}
-std::string list(const Vector2d& v, std::string_view unit) { return list({v.x(), v.y()}, unit); }
-std::string list(const Vector3d& v, std::string_view unit) {
-  return list({v.x(), v.y(), v.z()}, unit);
-}
-
-std::string at_line(Line line) { return line > 0 ? fmt::format("  # line {}\n", line) : "\n"; }
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : hal::printable(text)) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
-}
-
-std::string header(const std::string& file, std::vector<Note> notes) {
-  std::string text = fmt::format("# from {}\n", hal::printable(file));
-  std::ranges::stable_sort(notes, {}, &Note::line);
-  for (const Note& note : notes)
-    text += fmt::format("# left out: line {}: {}\n", note.line, hal::printable(note.what));
-  return text;
-}
-
-/// Items of a mapping in flow style, of those that are there.
-class Flow {
- public:
-  Flow& add(std::string_view key, const std::string& text) {
-    text_ += fmt::format("{}{}: {}", text_.empty() ? "" : ", ", key, text);
-    return *this;
-  }
-  Flow& add(std::string_view key, const std::optional<double>& number, std::string_view unit) {
-    return number ? add(key, value(*number, unit)) : *this;
-  }
-  bool is_empty() const { return text_.empty(); }
-  std::string text() const { return "{" + text_ + "}"; }
-
- private:
-  std::string text_;
-};
 
 std::string limit_of(const RobotWheel& wheel) {
   return Flow().add("effort", wheel.effort, "N m").add("velocity", wheel.velocity, "rad/s").text();
@@ -159,16 +106,12 @@ std::string link_yaml(const Robot& robot) {
 /// A name that a sensor may have and that no other has.
 std::string sensor_name(const std::string& name, const std::string& kind,
                         std::set<std::string>& taken) {
-  std::string own;
-  for (const char c : name) own += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  static const std::set<std::string> kTaken{
+  static const std::set<std::string> names_of_others{
       "localisation", "odometry",  "infrared", "infrared_volts", "odom",   "range",
       "cmd_vel",      "base_link", "base",     "emergency_stop", "battery"};
-  if (own.empty() || std::isalpha(static_cast<unsigned char>(own.front())) == 0) own = kind + own;
-  if (kTaken.contains(own)) own += "_" + kind;
-  const std::string first = own;
-  for (int i = 2; !taken.insert(own).second; ++i) own = fmt::format("{}_{}", first, i);
-  return own;
+  std::string own = plain_name(name, kind);
+  if (names_of_others.contains(own)) own += "_" + kind;
+  return name_of_its_own(own, taken);
 }
 
 std::string sensor_yaml(const RobotSensor& one, std::set<std::string>& taken) {
@@ -198,24 +141,6 @@ std::string sensor_yaml(const RobotSensor& one, std::set<std::string>& taken) {
   return "  - " + flow.text() + at_line(sensor.line);
 }
 
-/// A box of `walls:`, which stands on the ground.
-std::string wall_yaml(const std::string& name, const Collision& collision, const Upright& shape) {
-  const Vector3d centre = centre_of(shape);
-  const double top = heights(shape).high;
-  const auto [width, depth, yaw] = std::visit(
-      hal::Overloaded{
-          [](const UprightBox& c) { return std::tuple(c.size.x(), c.size.y(), c.yaw); },
-          [](const UprightCylinder& c) { return std::tuple(2 * c.radius, 2 * c.radius, 0.0); }},
-      shape);
-  Flow flow;
-  flow.add("name", quoted(name)).add("size", list({width, depth, top}, "m"));
-  flow.add("position", list({centre.x(), centre.y()}, "m")).add("yaw", value(yaw, "rad"));
-  if (collision.mu && *collision.mu <= 100) flow.add("friction", value(*collision.mu, "1"));
-  return "  - " + flow.text() + at_line(collision.line);
-}
-
-constexpr double kLifted = 0.01;  ///< m
-
 }  // namespace
 
 std::string robot_yaml(const Robot& robot, const std::string& file) {
@@ -234,31 +159,6 @@ std::string robot_yaml(const Robot& robot, const std::string& file) {
   std::set<std::string> taken;
   for (const RobotSensor& one : robot.sensors) text += sensor_yaml(one, taken);
   return text;
-}
-
-std::string world_yaml(const WorldModels& world, const std::string& file) {
-  std::vector<Note> notes = world.notes;
-  std::string walls;
-  std::set<std::string> taken;
-  for (const auto& [model, is_static] : world.models) {
-    notes.insert(notes.end(), model.notes.begin(), model.notes.end());
-    if (!is_static)
-      notes.push_back({model.line, fmt::format("the model '{}', which can move", model.name)});
-    for (const ModelLink& link : model.links) {
-      for (const Collision& one : link.collisions) {
-        Upright shape = upright(one.shape, link.pose * one.pose);
-        if (!is_static || !cut_at_ground(shape)) continue;
-        const double lifted = heights(shape).low;
-        if (lifted > kLifted)
-          notes.push_back({one.line, fmt::format("the {:.3f} m of air below '{}' of '{}'", lifted,
-                                                 one.name, model.name)});
-        std::string name = model.name;
-        for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", model.name, i);
-        walls += wall_yaml(name, one, shape);
-      }
-    }
-  }
-  return header(file, std::move(notes)) + (walls.empty() ? "walls: []\n" : "walls:\n" + walls);
 }
 
 }  // namespace programs::models

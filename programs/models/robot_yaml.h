@@ -3,16 +3,11 @@
 #include <string>
 
 #include "programs/models/robot.h"
-#include "programs/models/sdf_reader.h"
 
 namespace programs::models {
 
 /// A robot file: YAML whose values read back to the same bits. `# line N` after a value is where
 /// the model has it, and lines `# left out: line N: WHAT` say first what the robot does not have.
 std::string robot_yaml(const Robot& robot, const std::string& file);
-
-/// `walls:` of a scenario's world: the collision shapes of static models as boxes, from the ground
-/// up. Spheres and upright cylinders become the boxes around them.
-std::string world_yaml(const WorldModels& world, const std::string& file);
 
 }  // namespace programs::models

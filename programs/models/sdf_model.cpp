@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "programs/models/mesh.h"
 #include "programs/models/sdf_plugins.h"
@@ -37,8 +38,8 @@ std::optional<double> friction_of(const ::sdf::ElementPtr& collision) {
 
 class SdfReader {
  public:
-  SdfReader(const SearchPath& search, const Lines& lines, Model& model)
-      : search_(search), lines_(lines), model_(model) {}
+  SdfReader(const SearchPath& search, const Lines& lines, bool is_in_world, Model& model)
+      : search_(search), lines_(lines), model_(model), is_in_world_(is_in_world) {}
 
   /// @param pose  of the model in the frame of all. @param prefix  of its names
   void add(const ::sdf::Model& model, const Isometry3d& pose, const std::string& prefix);
@@ -56,7 +57,7 @@ class SdfReader {
   const Lines& lines_;
   Model& model_;
   bool notes_visuals_ = true;
-  bool is_static_ = false;  ///< Its masses do not matter.
+  bool is_in_world_;  ///< Links without a mass have the one that SDF gives.
 };
 
 Shape SdfReader::mesh_of(const ::sdf::Mesh& mesh, Line line) const {
@@ -165,7 +166,7 @@ void SdfReader::add_link(const ::sdf::Link& from, const Isometry3d& pose,
       .pose = pose * resolved(from.SemanticPose(), "__model__", lines_.of(from.Element())),
       .inertial = inertial_of(from, lines_),
       .line = lines_.of(from.Element())};
-  if (!link.inertial && !is_static_)
+  if (!link.inertial && !is_in_world_)
     note(link.line, fmt::format("SDF's default mass of 1 kg of the link '{}', which has no "
                                 "<inertial>: it has no mass",
                                 link.name));
@@ -201,7 +202,6 @@ void SdfReader::add_joint(const ::sdf::Joint& from, const Isometry3d& pose,
 }
 
 void SdfReader::add(const ::sdf::Model& model, const Isometry3d& pose, const std::string& prefix) {
-  is_static_ = is_static_ || model.Static();
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
     add_link(*model.LinkByIndex(i), pose, prefix);
   for (std::uint64_t i = 0; i < model.JointCount(); ++i)
@@ -231,14 +231,14 @@ Isometry3d resolved(const ::sdf::SemanticPose& semantic, const std::string& to, 
   return in_eigen(pose);
 }
 
-Model model_of(const ::sdf::Model& from, const Isometry3d& pose, const SearchPath& search,
+Model model_of(const ::sdf::Model& from, const ModelPlace& place, const SearchPath& search,
                const Lines& lines) {
   Model model{.name = from.Name(),
               .links = {},
               .joints = {},
               .notes = {},
               .line = lines.of(from.Element())};
-  SdfReader(search, lines, model).add(from, pose, "");
+  SdfReader(search, lines, place.is_in_world, model).add(from, place.pose, "");
   return model;
 }
 

@@ -28,9 +28,14 @@ void check(const ::sdf::Errors& errors, Line otherwise);
 /// A pose in the frame `to`; empty: that of what has the pose. @throws ModelError
 Eigen::Isometry3d resolved(const ::sdf::SemanticPose& semantic, const std::string& to, Line line);
 
-/// What a model of libsdformat holds, with models inside it.
-/// @param pose  of the model in the frame of the result. @throws ModelError
-Model model_of(const ::sdf::Model& from, const Eigen::Isometry3d& pose, const SearchPath& search,
+/// Where a model is.
+struct ModelPlace {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< In the frame of the result.
+  bool is_in_world = false;  ///< And not a robot, of which links without a mass are noted.
+};
+
+/// What a model of libsdformat holds, with models inside it. @throws ModelError
+Model model_of(const ::sdf::Model& from, const ModelPlace& place, const SearchPath& search,
                const Lines& lines);
 
 }  // namespace programs::models

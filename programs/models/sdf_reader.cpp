@@ -9,8 +9,6 @@
 namespace programs::models {
 namespace {
 
-using Eigen::Isometry3d;
-
 /// The root, which is no child, comes first.
 void put_root_first(Model& model) {
   const auto is_child = [&](const ModelLink& link) {
@@ -61,7 +59,7 @@ Model read_sdf(const std::filesystem::path& file, const std::string& name,
                                     name.empty() ? std::string("sdf_model must name one model")
                                                  : fmt::format("has no one model '{}'", name),
                                     fmt::join(names, ", ")));
-  Model model = model_of(*found.front(), Isometry3d::Identity(), search, lines);
+  Model model = model_of(*found.front(), {}, search, lines);
   put_root_first(model);
   return model;
 }
@@ -77,7 +75,8 @@ WorldModels read_sdf_world(const std::filesystem::path& file, const SearchPath& 
     const ::sdf::Model& one = *world.ModelByIndex(i);
     const Line line = lines.of(one.Element());
     all.models.push_back(
-        {model_of(one, resolved(one.SemanticPose(), "", line), search, lines), one.Static()});
+        {model_of(one, {resolved(one.SemanticPose(), "", line), true}, search, lines),
+         one.Static()});
   }
   for (std::uint64_t i = 0; i < world.ActorCount(); ++i)
     all.notes.push_back({lines.of(world.ActorByIndex(i)->Element()),

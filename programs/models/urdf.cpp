@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include "programs/models/mesh.h"
 #include "programs/models/xacro.h"

@@ -183,7 +183,7 @@ std::optional<fs::path> Loader::included_file(const Node& target, const std::str
 }
 
 void Loader::include_model(Node& mapping, const std::string& path) {
-  const std::optional<ModelInclude> model = take_model(mapping);
+  const std::optional<ModelInclude> model = take_model(mapping, path);
   if (!model) return;
   const auto file = included_file(model->file, path, model->is_urdf ? "urdf" : "sdf");
   if (!file) return;

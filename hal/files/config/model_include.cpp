@@ -114,7 +114,10 @@ std::optional<std::vector<std::string>> folders_of(const Node& list) {
   return folders;
 }
 
-bool is_world(const std::string& path) { return path == "world" || path.ends_with(".world"); }
+bool is_called(const std::string& path, const std::string& name) {
+  return path == name || path.ends_with("." + name);
+}
+bool is_world(const std::string& path) { return is_called(path, "world"); }
 
 /// The reader's arguments; nullopt after a mistake.
 std::optional<std::vector<std::string>> arguments_of(const ModelInclude& include,
@@ -140,7 +143,8 @@ std::optional<std::vector<std::string>> arguments_of(const ModelInclude& include
 
 }  // namespace
 
-std::optional<ModelInclude> take_model(Node& mapping) {
+std::optional<ModelInclude> take_model(Node& mapping, const std::string& path) {
+  if (!path.empty() && !is_called(path, "robot") && !is_world(path)) return std::nullopt;
   const bool is_urdf = mapping.find("urdf") != nullptr;
   if (!is_urdf && mapping.find("sdf") == nullptr) return std::nullopt;
   ModelInclude include;

@@ -17,8 +17,10 @@ struct ModelInclude {
   Node drive, search_path, model;  ///< Null: absent.
 };
 
-/// Takes these keys from a mapping that has `urdf` or `sdf`; nullopt: it has neither.
-std::optional<ModelInclude> take_model(Node& mapping);
+/// Takes these keys from a mapping that has `urdf` or `sdf`; nullopt: it has neither, or it is no
+/// robot and no world, whose keys they are.
+/// @param path  of the mapping; empty: that of a robot file.
+std::optional<ModelInclude> take_model(Node& mapping, const std::string& path);
 
 /// Reads the file and gives its keys, each at its line of that file; what the robot does not have
 /// becomes warnings, and mistakes are noted, in the file or in the including one.

@@ -30,9 +30,9 @@ void expect_wall(const sim::physics::StaticBox& wall, const std::string& name,
 
 TEST(SdfWorld, StaticModelsAreWallsFromTheGroundUp) {
   const Folder folder;
-  const auto file = folder.write(
-      "scenario.yaml",
-      scenario("  sdf: " + robots() + "static_world.sdf\n  search_path: " + robots() + "\n"));
+  const auto file =
+      folder.write("scenario.yaml",
+                   scenario("  sdf: " + robots() + "room.sdf\n  search_path: " + robots() + "\n"));
   const auto read = sim::scenario::load_scenario(file);
   const auto& walls = read.simulation.walls;
   ASSERT_EQ(walls.size(), 4U);
@@ -43,11 +43,42 @@ TEST(SdfWorld, StaticModelsAreWallsFromTheGroundUp) {
   expect_wall(walls[3], "lamp_2", {0.2, 0.1, 0.14}, {2, 0, 0.07}, 0);
 }
 
+TEST(SdfWorld, OtherModelsAreMovables) {
+  const Folder folder;
+  const auto file =
+      folder.write("scenario.yaml",
+                   scenario("  sdf: " + robots() + "room.sdf\n  search_path: " + robots() + "\n"));
+  const auto read = sim::scenario::load_scenario(file);
+  const auto& movables = read.simulation.movables;
+  ASSERT_EQ(movables.size(), 4U);
+  EXPECT_EQ(movables[0].name, "crate");
+  EXPECT_EQ(movables[0].mass, 1);  // what SDF gives to a link without <inertial>
+  EXPECT_EQ(movables[0].pose.x, 3);
+  EXPECT_NEAR(movables[0].elevation, 0, 1e-12);
+  EXPECT_NEAR(std::get<sim::physics::MovableBox>(movables[0].form).size.z, 0.2, 1e-12);
+  EXPECT_EQ(movables[1].name, "big_ball");
+  EXPECT_EQ(movables[1].mass, 2.5);
+  EXPECT_EQ(movables[1].friction, 0.3);
+  EXPECT_EQ(std::get<sim::physics::MovableSphere>(movables[1].form).radius, 0.25);
+  EXPECT_NEAR(movables[2].elevation, 1, 1e-12);
+  const auto& barrel = std::get<sim::physics::MovableCylinder>(movables[2].form);
+  EXPECT_EQ(barrel.radius, 0.2);
+  EXPECT_NEAR(barrel.height, 0.4, 1e-12);
+  // A bench of two boxes: one box around both, turned as the bench is.
+  EXPECT_EQ(movables[3].mass, 2);
+  const auto& bench = std::get<sim::physics::MovableBox>(movables[3].form);
+  const bool is_along = std::abs(bench.size.x - 1) < 1e-9;
+  EXPECT_NEAR(is_along ? bench.size.y : bench.size.x, 0.4, 1e-9);
+  EXPECT_NEAR(is_along ? bench.size.x : bench.size.y, 1, 1e-9);
+  EXPECT_NEAR(bench.size.z, 0.45, 1e-9);
+  EXPECT_NEAR(movables[3].pose.theta, is_along ? 0.5 : 0.5 - 1.5707963267948966, 1e-9);
+}
+
 TEST(SdfWorld, KeysBesideItReplaceWhatTheFileSays) {
   const Folder folder;
   const auto file = folder.write(
       "scenario.yaml",
-      scenario("  sdf: " + robots() + "static_world.sdf\n  search_path: " + robots() +
+      scenario("  sdf: " + robots() + "room.sdf\n  search_path: " + robots() +
                "\n  walls: {remove: [lamp], add: [{name: own, size: [1 m, 1 m, 1 m], position: "
                "[9 m, 9 m]}]}\n"));
   const auto read = sim::scenario::load_scenario(file);

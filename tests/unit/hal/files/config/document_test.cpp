@@ -33,6 +33,15 @@ TEST_F(DocumentTest, NamesAFileThatIsCalledNearlyAsTheMissingOne) {
   EXPECT_TRUE(found[0].ends_with("; did you mean 'walk.yaml'?")) << found[0];
 }
 
+TEST_F(DocumentTest, UrdfAndSdfNameModelsOfRobotsAndWorldsOnly) {
+  const auto file = write("a.yaml", "parameters: {sdf: 3, drive: 4}\n");
+  Document document = Document::load(file);
+  Mapping parameters = document.root().mapping({"parameters", "Of a test.", "{}"});
+  EXPECT_EQ(parameters.integer({"sdf", "Of a test.", "3"}, 0, 9), 3);
+  EXPECT_EQ(parameters.integer({"drive", "Of a test.", "4"}, 0, 9), 4);
+  EXPECT_EQ(loading(write("b.yaml", "robot: {urdf: no.urdf}\n")).size(), 1U);
+}
+
 TEST_F(DocumentTest, SaysWhatAFileIsThatIsNotYaml) {
   const std::string urdf =
       "is URDF, which a scenario takes as `robot: {urdf: FILE, drive: {left: JOINT, right: "
