@@ -1,6 +1,8 @@
 // Worlds in SDF, as `world: {sdf: FILE}` of a scenario.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/scenario/scenario.h"
 #include "tests/unit/programs/models/loaded.h"
 
@@ -86,6 +88,40 @@ TEST(SdfWorld, KeysBesideItReplaceWhatTheFileSays) {
   ASSERT_EQ(walls.size(), 4U);
   EXPECT_EQ(walls[2].name, "lamp_2");
   EXPECT_EQ(walls[3].name, "own");
+}
+
+/// A world of boxes of 0.3 x 0.2 x 0.2 m in rows, each turned by another angle, half of them
+/// stacked.
+std::string hundred_boxes() {
+  std::string text = "<sdf version=\"1.9\"><world name=\"boxes\">\n";
+  for (int i = 0; i < 100; ++i) {
+    text += "<model name=\"box" + std::to_string(i) + "\"><pose>" +
+            std::to_string(0.6 * (i % 50 % 10)) + " " + std::to_string(0.6 * (i % 50 / 10)) +
+            (i < 50 ? " 0.1" : " 0.3") + " 0 0 " + std::to_string(0.1 * (i % 50)) +
+            "</pose><link name=\"link\"><collision name=\"box\"><geometry><box><size>0.3 0.2 0.2"
+            "</size></box></geometry></collision></link></model>\n";
+  }
+  return text + "</world></sdf>\n";
+}
+
+TEST(SdfWorld, AHundredBoxesRestWhereTheyAre) {
+  const Folder folder;
+  const auto boxes = folder.write("boxes.sdf", hundred_boxes());
+  const auto file = folder.write("scenario.yaml", scenario("  sdf: " + boxes.string() + "\n"));
+  const auto read = sim::scenario::load_scenario(file);
+  sim::physics::World world(read.simulation.world);
+  for (const auto& movable : read.simulation.movables) world.add_movable(movable);
+  ASSERT_EQ(world.movable_count(), 100U);
+  for (int i = 0; i < 200; ++i) world.step();
+  std::vector<hal::Vec3> settled;
+  for (std::size_t i = 0; i < 100; ++i) settled.push_back(world.movable(i).pose.position);
+  // The upper ones still stand on the lower ones.
+  for (std::size_t i = 0; i < 50; ++i) EXPECT_NEAR(settled[i + 50].z - settled[i].z, 0.2, 1e-3);
+  for (int i = 0; i < 6000; ++i) world.step();
+  for (std::size_t i = 0; i < 100; ++i) {
+    const hal::Vec3 moved = world.movable(i).pose.position - settled[i];
+    EXPECT_LT(std::sqrt(hal::dot(moved, moved)), 1e-4) << i;  // m in 60 s
+  }
 }
 
 TEST(SdfWorld, AFileWithoutAWorldIsAMistake) {
