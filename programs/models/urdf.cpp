@@ -42,6 +42,7 @@ class UrdfReader {
   Inertial inertial_of(const Element& element) const;
   Shape mesh_of(const Element& element) const;
   Shape shape_of(const Element& element) const;
+  std::set<std::string> children() const;
   void place_links();
   void place(const std::string& parent, const Isometry3d& pose);
 
@@ -159,11 +160,11 @@ void UrdfReader::add_joint(const Element& element) {
   for (const Mounted& other : mounted_)
     if (other.joint.name == joint.name)
       throw ModelError(joint.line, fmt::format("there are two joints '{}'", joint.name));
-  static const std::set<std::string> kTypes{"fixed",     "revolute", "continuous",
-                                            "prismatic", "floating", "planar"};
-  if (!kTypes.contains(joint.type))
+  static const std::set<std::string> types_of_joints{"fixed",     "revolute", "continuous",
+                                                     "prismatic", "floating", "planar"};
+  if (!types_of_joints.contains(joint.type))
     throw ModelError(joint.line, fmt::format("{}: '{}' is not a type of joint: {}", title(element),
-                                             joint.type, fmt::join(kTypes, ", ")));
+                                             joint.type, fmt::join(types_of_joints, ", ")));
   const Element* const along = element.FirstChildElement("axis");
   const Vector3d axis =
       along == nullptr ? Vector3d::UnitX() : vector_of(*along, "xyz", Vector3d::UnitX());
@@ -205,8 +206,8 @@ void UrdfReader::place(const std::string& parent, const Isometry3d& pose) {
   }
 }
 
-/// A tree: each link but the root is the child of one joint.
-void UrdfReader::place_links() {
+/// The children of all joints, each of which has two links of the file.
+std::set<std::string> UrdfReader::children() const {
   std::set<std::string> children;
   for (const Mounted& one : mounted_) {
     for (const std::string& name : {one.joint.parent, one.joint.child})
@@ -217,9 +218,15 @@ void UrdfReader::place_links() {
       throw ModelError(one.joint.line,
                        fmt::format("the link '{}' is the child of two joints", one.joint.child));
   }
+  return children;
+}
+
+/// A tree: each link but the root is the child of one joint.
+void UrdfReader::place_links() {
+  const std::set<std::string> inner = children();
   std::vector<const ModelLink*> roots;
   for (const ModelLink& link : model_.links)
-    if (!children.contains(link.name)) roots.push_back(&link);
+    if (!inner.contains(link.name)) roots.push_back(&link);
   if (roots.size() > 1)
     throw ModelError(roots[1]->line, fmt::format("no joint connects the link '{}' with '{}'",
                                                  roots[1]->name, roots[0]->name));

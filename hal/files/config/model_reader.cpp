@@ -46,24 +46,26 @@ class OutputPipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
+/// Takes what there is. @return false: nothing more will come, or it is too much.
+bool take(int from, std::string& text) {
+  std::array<char, 65536> block{};
+  const ssize_t got = read(from, block.data(), block.size());
+  if (got <= 0 || text.size() > kMostText) return false;
+  text.append(block.data(), static_cast<std::size_t>(got));
+  return true;
+}
+
 /// Reads both pipes until both have ended.
 void drain(const OutputPipe& out, const OutputPipe& err, std::string& printed, std::string& said) {
   std::array<pollfd, 2> open{pollfd{out.reader(), POLLIN, 0}, pollfd{err.reader(), POLLIN, 0}};
   const std::array<std::string*, 2> texts{&printed, &said};
-  std::array<char, 65536> block{};
   while (open[0].fd >= 0 || open[1].fd >= 0) {
-    if (poll(open.data(), open.size(), -1) < 0) {
-      if (errno == EINTR) continue;
-      return;
-    }
+    const int ready = poll(open.data(), open.size(), -1);
+    if (ready < 0 && errno != EINTR) return;
+    if (ready <= 0) continue;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      if (open[i].fd < 0 || open[i].revents == 0) continue;
-      const ssize_t got = read(open[i].fd, block.data(), block.size());
-      if (got <= 0 || texts[i]->size() > kMostText) {
-        open[i].fd = -1;
-      } else {
-        texts[i]->append(block.data(), static_cast<std::size_t>(got));
-      }
+      const bool is_ready = open[i].fd >= 0 && open[i].revents != 0;
+      if (is_ready && !take(open[i].fd, *texts[i])) open[i].fd = -1;
     }
   }
 }

@@ -1,50 +1,13 @@
-// What robot files in URDF and SDF become: every construct of docs/urdf.md is in one of them.
+// What robots in URDF become: every construct of docs/urdf.md is in one of the files.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "tests/unit/programs/models/loaded.h"
+#include "tests/unit/programs/models/shapes.h"
 
 namespace programs::models::test {
 namespace {
-
-using hal::node::devices::BodyBox;
-using hal::node::devices::BodyCylinder;
-using hal::node::devices::WheelType;
-
-constexpr double kQuarter = 1.5707963267948966;  // rad
-constexpr double kMesh = 1e-8;                   // m: corners of meshes are single precision
-
-void expect_near(const hal::Vec3& a, const hal::Vec3& b, double close = 1e-12) {
-  EXPECT_NEAR(a.x, b.x, close);
-  EXPECT_NEAR(a.y, b.y, close);
-  EXPECT_NEAR(a.z, b.z, close);
-}
-
-void expect_box(const BodyBox& box, const hal::Vec3& size, const hal::Vec3& centre, double yaw,
-                double close = 1e-12) {
-  expect_near(box.size, size, close);
-  expect_near(box.centre, centre, close);
-  EXPECT_NEAR(box.yaw, yaw, 1e-7);
-}
-
-void expect_cylinder(const BodyCylinder& one, double radius, double bottom, double top,
-                     double close = 1e-12) {
-  EXPECT_NEAR(one.radius, radius, close);
-  EXPECT_NEAR(one.z_bottom, bottom, close);
-  EXPECT_NEAR(one.z_top, top, close);
-}
-
-/// The warnings without their file: "18:1: warning: is left out: …".
-std::vector<std::string> left_out(const std::vector<std::string>& warnings) {
-  std::vector<std::string> texts;
-  for (const std::string& one : warnings) {
-    const std::size_t colon = one.find(':');
-    texts.push_back(one.substr(colon + 1, one.find(" (included by") - colon - 1));
-  }
-  return texts;
-}
 
 TEST(Urdf, ShapesBecomeTheSmallestUprightOnesAroundThem) {
   const RobotDescription robot = loaded(with_wheels("shapes.urdf")).robot;
@@ -75,18 +38,6 @@ TEST(Urdf, MeshesBecomeTheBoxOrTheCylinderAroundTheirConvexHull) {
   expect_cylinder(robot.cylinders[0], 0.1, 0.25, 0.35, kMesh);  // OBJ of 24 corners on a circle
 }
 
-TEST(Sdf, HasShapesOfItsOwn) {
-  const Loaded all = loaded(with_wheels("shapes.sdf"));
-  ASSERT_EQ(all.robot.cylinders.size(), 2U);
-  expect_cylinder(all.robot.cylinders[0], 0.05, 0.15, 0.45);           // a capsule
-  expect_cylinder(all.robot.cylinders[1], 0.05, 0.95, 1.05, kMesh);    // a mesh at half its width
-  expect_box(all.robot.boxes.at(0), {0.1, 0.2, 0.4}, {0, 0, 0.6}, 0);  // an ellipsoid, turned
-  EXPECT_EQ(
-      left_out(all.warnings),
-      (std::vector<std::string>{"25:1: warning: is left out: a collision shape that is neither "
-                                "box, cylinder, sphere, capsule, ellipsoid nor mesh"}));
-}
-
 TEST(Urdf, BallsThatTouchTheGroundAreCasters) {
   const RobotDescription robot = loaded(with_wheels("left_out.urdf")).robot;
   ASSERT_EQ(robot.wheels.size(), 3U);
@@ -104,6 +55,17 @@ TEST(Urdf, CastersMayBeNamedByTheirLinks) {
   EXPECT_NEAR(robot.wheels[2].position.x, -0.22, 1e-12);
   EXPECT_NEAR(robot.wheels[2].radius, 0.03, 1e-12);
   EXPECT_NEAR(robot.inertia.value().mass, 5.2, 1e-12);  // with fork and roll, without the wheels
+}
+
+TEST(Urdf, CastersWithoutAShapeMayBeAdded) {
+  EXPECT_EQ(mistakes(with_wheels("swivel.urdf")).size(), 1U);
+  const RobotDescription robot =
+      loaded(with_wheels("swivel.urdf") +
+             "wheels: {joints: {add: [{type: caster, position: [-20 cm, 0 m], radius: 3 cm, mass: "
+             "100 g}]}}\n")
+          .robot;
+  ASSERT_EQ(robot.wheels.size(), 3U);
+  EXPECT_EQ(robot.wheels[2].type, WheelType::kCaster);
 }
 
 TEST(Urdf, LimitsOfJointsAreThoseOfMotors) {
@@ -274,75 +236,6 @@ TEST(Urdf, WhatXacroPrintsIsRead) {
   const auto found = loaded(with_wheels("macro.urdf.xacro"));
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(found.robot.model, "left_out");
-}
-
-TEST(Sdf, DifferentialDriveOfGazeboGivesWheelsAndLimits) {
-  const RobotDescription robot =
-      loaded("sdf: " + robots() + "gz_drive.sdf\nwheels: {wheel: {limit: {effort: 2 N m}}}\n")
-          .robot;
-  ASSERT_EQ(robot.wheels.size(), 3U);
-  EXPECT_EQ(robot.wheels[0].type, WheelType::kFixed);
-  EXPECT_NEAR(robot.wheels[0].max_speed, 1.0 / 0.05, 1e-9);  // max_linear_velocity / wheel_radius
-  EXPECT_EQ(robot.wheels[0].mu, 0.8);
-  EXPECT_EQ(robot.wheels[2].type, WheelType::kCaster);  // on a ball joint
-  EXPECT_EQ(robot.wheels[2].mu, 0.01);
-  EXPECT_EQ(robot.acceleration.linear_up, 0.5);
-  EXPECT_EQ(robot.friction, 0.4);
-}
-
-TEST(Sdf, SensorsAreTakenOverWithTheirPlaces) {
-  using namespace hal::node::devices;
-  const Loaded all =
-      loaded("sdf: " + robots() + "gz_drive.sdf\nwheels: {wheel: {limit: {effort: 2 N m}}}\n");
-  ASSERT_EQ(all.robot.sensors.size(), 3U);
-  const auto& scan = std::get<ScanSensor>(all.robot.sensors[0]);
-  EXPECT_EQ(scan.mount.name, "front_scan");
-  expect_near(scan.mount.position, {0.1, 0, 0.2});
-  EXPECT_NEAR(scan.mount.heading, 0.5 + 0.5, 1e-12);  // its yaw, and the middle of -1 .. 2 rad
-  EXPECT_NEAR(scan.field, 3, 1e-12);
-  EXPECT_EQ(scan.rays, 181);
-  EXPECT_EQ(scan.min_range, 0.1);
-  EXPECT_EQ(scan.max_range, 8);
-  EXPECT_EQ(scan.noise_sigma, 0.02);
-  EXPECT_EQ(scan.period, std::chrono::milliseconds(200));
-  const auto& imu = std::get<ImuSensor>(all.robot.sensors[1]);
-  EXPECT_EQ(imu.gyro_sigma, 0.003);
-  EXPECT_EQ(imu.accelerometer_sigma, 0.04);
-  EXPECT_EQ(std::get<Bumper>(all.robot.sensors[2]).mount.name, "odom_bumper");
-  EXPECT_EQ(
-      left_out(all.warnings),
-      (std::vector<std::string>{
-          "19:1: warning: is left out: all but the horizontal plane of the scanner 'front scan'",
-          "69:1: warning: is left out: the sensor 'eye' of type camera"}));
-}
-
-TEST(Sdf, DifferentialDriveOfGazeboClassicGivesTorque) {
-  const Loaded all = loaded("sdf: " + robots() + "classic_drive.sdf\n");
-  EXPECT_EQ(all.robot.wheels[0].max_torque, 3);
-  EXPECT_EQ(all.robot.wheels[0].max_speed, 15);
-  EXPECT_EQ(all.robot.wheels[0].mu, 0.6);  // 100000 is none
-  EXPECT_EQ(all.robot.sensors.size(), 1U);
-  EXPECT_EQ(left_out(all.warnings).size(), 4U);
-}
-
-TEST(Sdf, AWheelThatTurnsAboutTheOppositeAxisDrivesBackward) {
-  const RobotDescription robot = loaded(with_wheels("opposite_axes.sdf")).robot;
-  EXPECT_NEAR(robot.wheels[0].axle_heading, -kQuarter, 1e-9);
-  EXPECT_NEAR(robot.wheels[1].axle_heading, kQuarter, 1e-9);
-  EXPECT_EQ(robot.wheels[0].max_torque, 2);
-  EXPECT_EQ(robot.wheels[1].max_torque, 3);
-}
-
-TEST(Sdf, AModelIsChosenByItsName) {
-  const auto wrong = mistakes(with_wheels("two_models.sdf"));
-  ASSERT_EQ(wrong.size(), 1U);
-  EXPECT_NE(wrong[0].find("sdf_model must name one model; models here: first, second"),
-            std::string::npos)
-      << wrong[0];
-  const RobotDescription robot =
-      loaded(with_wheels("two_models.sdf") + "sdf_model: second\n").robot;
-  EXPECT_EQ(robot.model, "second");
-  EXPECT_NEAR(robot.inertia.value().mass, 7.1, 1e-12);
 }
 
 }  // namespace
