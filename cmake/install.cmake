@@ -13,6 +13,8 @@
 #   agentd (baraka-agentd)
 #     bin             baraka-agentd; its manual page and completion as above
 #     lib/systemd     the service of an agent; lib/sysusers.d: its user
+#   sdf (baraka-sdf)
+#     bin             baraka-sdf, if its libraries are there
 #   doc (baraka-doc)
 #     share/doc       the site of docs/, if it was built
 # No file knows the prefix: programs find the rest from where they are.
@@ -58,6 +60,10 @@ install(DIRECTORY ${manual}/baraka-agentd/man1 DESTINATION share/man COMPONENT a
 install(DIRECTORY ${manual}/baraka-agentd/completions DESTINATION share/bash-completion COMPONENT agentd)
 install(FILES config/systemd/baraka-agentd@.service DESTINATION lib/systemd/system COMPONENT agentd)
 install(FILES config/systemd/baraka.conf DESTINATION lib/sysusers.d COMPONENT agentd)
+
+if(BARAKA_SDF)
+  install(TARGETS baraka-sdf RUNTIME DESTINATION bin COMPONENT sdf)
+endif()
 
 install(DIRECTORY ${site}/ DESTINATION share/doc/baraka-doc/html COMPONENT doc OPTIONAL)
 

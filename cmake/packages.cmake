@@ -1,4 +1,5 @@
-# The target `packages`: Debian packages in <build>/packages, by CPack, and baraka-doc where the site was built. What they need of other
+# The target `packages`: Debian packages in <build>/packages, by CPack, those of Python and baraka-sdf where their libraries are, and
+# baraka-doc where the site was built. What they need of other
 # packages is computed by dpkg-shlibdeps, but for the headers that libbaraka-dev leads to.
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -12,6 +13,9 @@ set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_COMPONENTS_ALL program dev agentd doc)
 if(TARGET python_package)
   list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+if(BARAKA_SDF)
+  list(APPEND CPACK_COMPONENTS_ALL sdf)
 endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -52,6 +56,13 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION "controllers for BARAKA in Python
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "baraka (= ${PROJECT_VERSION}), python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas, python3-matplotlib")  # results and figures
+
+set(CPACK_DEBIAN_SDF_PACKAGE_NAME baraka-sdf)
+set(CPACK_DEBIAN_SDF_DESCRIPTION "reads robots in URDF and SDF for BARAKA
+`baraka-sdf FILE` prints a robot as YAML; with this package, scenarios take `robot: {urdf: FILE}`,
+`robot: {sdf: FILE}` and `world: {sdf: FILE}`. In a package of its own for the libraries it needs.")
+set(CPACK_DEBIAN_SDF_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_SDF_PACKAGE_ENHANCES baraka)
 
 set(CPACK_DEBIAN_DOC_PACKAGE_NAME baraka-doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)

@@ -15,6 +15,7 @@
 #include "baraka/commands/new_controller.h"
 #include "baraka/commands/observables_page.h"
 #include "baraka/commands/report_command.h"
+#include "baraka/commands/robot_from.h"
 #include "baraka/commands/topic_command.h"
 #include "baraka/commands/topic_domain.h"
 #include "baraka/commands/topic_from.h"
@@ -246,6 +247,23 @@ std::vector<TopicCommand> add_topic(CLI::App& app, baraka::commands::TopicOption
   return commands;
 }
 
+/// @return `baraka robot from`.
+CLI::App* add_robot(CLI::App& app, baraka::commands::RobotFromOptions& options) {
+  CLI::App* robot = app.add_subcommand("robot", "Robots of others");
+  robot->require_subcommand(1);
+  CLI::App* from =
+      robot->add_subcommand("from", "A robot in URDF or SDF, as a robot file; see docs/urdf.md");
+  from->add_option("FILE", options.file, "URDF, with or without xacro, or SDF")->required();
+  from->add_option("--drive", options.drive,
+                   "Names of the wheels' joints: '{left: A, right: B, casters: LINK}'");
+  from->add_option("--model", options.model, "Which model of an SDF file; default: the only one");
+  from->add_option("--robot-path", options.folders,
+                   "Where package:// and model:// are searched for, before ROS_PACKAGE_PATH, "
+                   "AMENT_PREFIX_PATH and GZ_SIM_RESOURCE_PATH")
+      ->allow_extra_args(false);
+  return from;
+}
+
 /// The options of all commands.
 struct Asked {
   baraka::run::RunOptions run;
@@ -263,6 +281,7 @@ struct Asked {
   baraka::commands::DiffOptions diff;
   baraka::commands::ExecOptions exec;
   baraka::commands::TopicOptions topic;
+  baraka::commands::RobotFromOptions robot;
   baraka::commands::NewControllerOptions controller;
 };
 
@@ -321,6 +340,7 @@ int command(int argc, char** argv) {
   add_capsule(app, asked.capsule);
   add_diff(app, asked.diff);
   add_exec(app, asked.exec);
+  const CLI::App* const robot_from = add_robot(app, asked.robot);
   const std::vector<TopicCommand> topic_commands = add_topic(app, asked.topic);
   add_new_controller(app, asked.controller);
   gateway::process::complete(app, "baraka");
@@ -330,6 +350,7 @@ int command(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return gateway::process::end_of_parsing(app, e);
   }
+  if (*robot_from) return baraka::commands::robot_from(asked.robot);
   for (const TopicCommand& topic : topic_commands) {
     if (!*topic.app) continue;
     if (topic.act != baraka::commands::topics_from)

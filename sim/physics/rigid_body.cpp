@@ -38,23 +38,26 @@ void categorise(dGeomID geometry, unsigned category, unsigned others) {
   dGeomSetCollideBits(geometry, others);
 }
 
-Part cylinder_part(const OdeWorld& world, const devices::BodyCylinder& cylinder) {
+/// @param has_mass  false: that of the body is given as a whole.
+Part cylinder_part(const OdeWorld& world, const devices::BodyCylinder& cylinder, bool has_mass) {
   const double length = cylinder.z_top - cylinder.z_bottom;
   require_positive("cylinder radius", cylinder.radius);
   require_positive("cylinder length", length);
-  require_positive("cylinder mass", cylinder.mass);
   Part part{dCreateCylinder(world.space(), cylinder.radius, length),
             {cylinder.centre.x, cylinder.centre.y, 0.5 * (cylinder.z_bottom + cylinder.z_top)},
             0,
             {}};
+  if (!has_mass) return part;
+  require_positive("cylinder mass", cylinder.mass);
   dMassSetCylinderTotal(&part.mass, cylinder.mass, kAlongZ, cylinder.radius, length);
   return part;
 }
 
-Part box_part(const OdeWorld& world, const devices::BodyBox& box) {
+Part box_part(const OdeWorld& world, const devices::BodyBox& box, bool has_mass) {
   require_box("box size", box.size);
-  require_positive("box mass", box.mass);
   Part part{dCreateBox(world.space(), box.size.x, box.size.y, box.size.z), box.centre, box.yaw, {}};
+  if (!has_mass) return part;
+  require_positive("box mass", box.mass);
   dMassSetBoxTotal(&part.mass, box.mass, box.size.x, box.size.y, box.size.z);
   dMatrix3 rotation;
   set_yaw(rotation, box.yaw);
@@ -71,12 +74,35 @@ void add_mass(dMass& total, dMass mass, const Vec3& centre) {
 void add_wheels(dMass& total, const devices::RobotDescription& robot) {
   for (const devices::Wheel& wheel : robot.wheels) {
     if (wheel.is_driven() && robot.wheel_level == devices::WheelLevel::kJointed) continue;
+    if (!wheel.is_driven() && robot.inertia) continue;
     require_positive("wheel mass", wheel.mass);
     require_positive("wheel radius", wheel.radius);
     dMass mass;
     dMassSetSphereTotal(&mass, wheel.mass, wheel.radius);
     add_mass(total, mass, {wheel.position.x, wheel.position.y, wheel.radius});
   }
+}
+
+dMass mass_of(const devices::BodyInertia& inertia) {
+  require_positive("body mass", inertia.mass);
+  const Vec3 &own = inertia.moments, &mixed = inertia.products;
+  dMass mass;
+  dMassSetParameters(&mass, inertia.mass, 0, 0, 0, own.x, own.y, own.z, mixed.x, mixed.y, mixed.z);
+  dMassTranslate(&mass, inertia.centre.x, inertia.centre.y, inertia.centre.z);
+  return mass;
+}
+
+/// Mass of all that moves with the chassis, about the origin of the body frame.
+dMass mass_of(const devices::RobotDescription& robot, const std::vector<Part>& parts) {
+  dMass total;
+  dMassSetZero(&total);
+  if (robot.inertia) {
+    total = mass_of(*robot.inertia);
+  } else {
+    for (const Part& part : parts) add_mass(total, part.mass, part.centre);
+  }
+  add_wheels(total, robot);
+  return total;
 }
 
 /// Makes a body with its origin at `pose` on the ground and the centre of mass of `mass`.
@@ -262,15 +288,12 @@ RigidBody make_mote(const OdeWorld& world, const devices::MoteDescription& mote,
 RigidBody make_chassis(const OdeWorld& world, const devices::RobotDescription& robot,
                        const hal::Pose2& pose, Geometries& geometries) {
   std::vector<Part> parts;
-  for (const auto& cylinder : robot.cylinders) parts.push_back(cylinder_part(world, cylinder));
-  for (const auto& box : robot.boxes) parts.push_back(box_part(world, box));
+  for (const auto& cylinder : robot.cylinders)
+    parts.push_back(cylinder_part(world, cylinder, !robot.inertia));
+  for (const auto& box : robot.boxes) parts.push_back(box_part(world, box, !robot.inertia));
   if (parts.empty())
     throw std::invalid_argument("robot: no cylinder and no box, at least 1 needed");
-  dMass total;
-  dMassSetZero(&total);
-  for (const Part& part : parts) add_mass(total, part.mass, part.centre);
-  add_wheels(total, robot);
-  const RigidBody body = make_body(world, total, pose);
+  const RigidBody body = make_body(world, mass_of(robot, parts), pose);
   for (const Part& part : parts) {
     attach(part, body);
     geometries.all.push_back(part.geometry);

@@ -14,7 +14,9 @@ from baraka import BIN, ROOT, Case, Finished
 
 SITE = BIN.parent / "site"
 SITE_WAS_BUILT = (SITE / "index.html").exists()
-PACKAGES = ("baraka", "libbaraka-dev", "baraka-agentd", *(["baraka-doc"] if SITE_WAS_BUILT else []))
+SDF_WAS_BUILT = (BIN / "baraka-sdf").exists()
+PACKAGES = ("baraka", "libbaraka-dev", "baraka-agentd", *(["baraka-doc"] if SITE_WAS_BUILT else []),
+            *(["baraka-sdf"] if SDF_WAS_BUILT else []))
 
 
 def output(*command, **options):
@@ -97,6 +99,13 @@ class Packages(Case):
         for package in ("libbaraka-dev", "baraka-agentd"):
             self.assertEqual(self.field(package, "Version"), version)
             self.assertIn(f"baraka (= {version})", self.field(package, "Depends"))
+
+    @unittest.skipUnless(SDF_WAS_BUILT, "needs libsdformat-dev, libassimp-dev and libtinyxml2-dev")
+    def test_what_reads_urdf_and_sdf_is_a_package_of_its_own(self):
+        self.assertIn("/usr/bin/baraka-sdf", self.files["baraka-sdf"])
+        for library in ("libsdformat12", "libassimp5", "libtinyxml2"):
+            self.assertRegex(self.field("baraka-sdf", "Depends"), rf"\b{library}")
+            self.assertNotIn(library, self.field("baraka", "Depends"))
 
     def test_headers_that_the_development_package_needs_come_with_it(self):
         needed = set()

@@ -40,9 +40,11 @@ std::optional<std::string> foreign_format(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (!without_space(text).starts_with('<')) return std::nullopt;
   const std::string_view element = first_element(text);
-  const char* const instead = "; `baraka describe robot` shows a robot in YAML";
-  if (element == "robot") return std::string("is URDF, which is not read yet") + instead;
-  if (element == "sdf") return std::string("is SDF, which is not read yet") + instead;
+  if (element == "robot")
+    return "is URDF, which a scenario takes as `robot: {urdf: FILE, drive: {left: JOINT, right: "
+           "JOINT}}`";
+  if (element == "sdf")
+    return "is SDF, which a scenario takes as `robot: {sdf: FILE}` or `world: {sdf: FILE}`";
   return "is XML, not YAML";
 }
 

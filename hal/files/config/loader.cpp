@@ -12,6 +12,7 @@
 #include "hal/files/config/document_limits.h"
 #include "hal/files/config/foreign_format.h"
 #include "hal/files/config/list_edit.h"
+#include "hal/files/config/model_include.h"
 #include "hal/files/config/shared_folders.h"
 #include "hal/files/config/yaml.h"
 #include "hal/types/result.h"
@@ -139,6 +140,8 @@ void Loader::resolve(Node& node, const std::string& path, int depth) {
     include(node, target, path);
     if (!complete_) return;
   }
+  include_model(node, path);
+  if (!complete_) return;
   if (node.kind == Node::Kind::kList) refuse_items(node, path);
   for (Node& item : node.items) resolve(item, path, depth + 1);
   for (Entry& entry : node.entries) resolve(entry.value, joined(path, entry.key), depth + 1);
@@ -151,18 +154,22 @@ void Loader::refuse_items(Node& list, const std::string& path) {
   }
 }
 
-void Loader::give_up(const Node& target, const std::string& path, std::string why) {
-  problems_.add(target.place, joined(path, "include"), std::move(why));
+void Loader::give_up(const Node& target, const std::string& path, std::string why,
+                     const std::string& key) {
+  problems_.add(target.place, joined(path, key), std::move(why));
   complete_ = false;
 }
 
-void Loader::include(Node& mapping, const Node& target, const std::string& path) {
-  if (target.kind != Node::Kind::kScalar) {
-    return give_up(target, path, "must be the path of a file, not " + kind_name(target));
-  }
+std::optional<fs::path> Loader::included_file(const Node& target, const std::string& path,
+                                              const std::string& key) {
+  const auto give_up_on = [&](std::string why) {
+    give_up(target, path, std::move(why), key);
+    return std::nullopt;
+  };
+  if (target.kind != Node::Kind::kScalar)
+    return give_up_on("must be the path of a file, not " + kind_name(target));
   if (files_ >= kMostFiles) {
-    return give_up(
-        target, path,
+    return give_up_on(
         fmt::format("is file {}; at most {} are read: do they include each other more than once?",
                     files_ + 1, kMostFiles));
   }
@@ -170,21 +177,40 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
   const std::string absent =
       fmt::format("there is no file '{}', nor in the shared folders ({}){}", file.string(),
                   listed_shared_folders(), similar_file(file, target.text));
-  if (const auto why = obstacle(file, absent)) {
-    return give_up(target, path,
-                   *why == absent ? absent : fmt::format("'{}' {}", file.string(), *why));
-  }
+  if (const auto why = obstacle(file, absent))
+    return give_up_on(*why == absent ? absent : fmt::format("'{}' {}", file.string(), *why));
+  return file;
+}
+
+void Loader::include_model(Node& mapping, const std::string& path) {
+  const std::optional<ModelInclude> model = take_model(mapping, path);
+  if (!model) return;
+  const auto file = included_file(model->file, path, model->is_urdf ? "urdf" : "sdf");
+  if (!file) return;
+  included_.push_back({file->string(), path, model->file.place.text()});
+  const bool by_file = model->file.place.layer == Layer::kFile;
+  const Place origin{files_++, file->string(), 1, 1,
+                     by_file ? Layer::kFile : Layer::kCommandLineInclude};
+  problems_.note_include(origin.order, model->file.place);
+  Node below = read_model_file(*model, *file, path, origin, problems_);
+  complete_ = complete_ && below.kind == Node::Kind::kMapping;
+  if (complete_) mapping = merged(std::move(below), std::move(mapping));
+}
+
+void Loader::include(Node& mapping, const Node& target, const std::string& path) {
+  const auto file = included_file(target, path, "include");
+  if (!file) return;
   const bool in_file = target.place.line > 0;
-  const auto circle = in_file ? graph_.add(real_name(target.place.file), real_name(file))
+  const auto circle = in_file ? graph_.add(real_name(target.place.file), real_name(*file))
                               : std::vector<std::string>{};
   if (!circle.empty()) {
     return give_up(target, path,
                    fmt::format("includes itself: {}", fmt::join(names(circle), " -> ")));
   }
   const bool by_file = target.place.layer == Layer::kFile;
-  included_.push_back({file.string(), path, target.place.text()});
+  included_.push_back({file->string(), path, target.place.text()});
   problems_.note_include(files_, target.place);  // the order that load() will assign
-  Node below = load(file, by_file ? Layer::kFile : Layer::kCommandLineInclude, path);
+  Node below = load(*file, by_file ? Layer::kFile : Layer::kCommandLineInclude, path);
   mapping = merged(std::move(below), std::move(mapping));
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -53,7 +54,8 @@ struct Included {
   std::string place;  ///< Place of the value of `include`: "file:line:column", or "--set a.b".
 };
 
-/// Reads files and replaces `include` keys by the contents of the files.
+/// Reads files and replaces `include` keys by the contents of the files, and `urdf` and `sdf` by
+/// what model_include.h makes of those.
 class Loader {
  public:
   /// @param first  includes on the command line are relative to its folder.
@@ -77,8 +79,15 @@ class Loader {
  private:
   void check_repeated(Node& node, const std::string& path);
   void include(Node& mapping, const Node& target, const std::string& path);
+  /// Replaces `urdf` or `sdf`, if it is there.
+  void include_model(Node& mapping, const std::string& path);
+  /// The file that a mapping includes; nullopt: there is none, and why is noted.
+  /// @param key  that names it, for messages.
+  std::optional<std::filesystem::path> included_file(const Node& target, const std::string& path,
+                                                     const std::string& key);
   void refuse_items(Node& list, const std::string& path);
-  void give_up(const Node& target, const std::string& path, std::string why);
+  void give_up(const Node& target, const std::string& path, std::string why,
+               const std::string& key = "include");
   std::filesystem::path located(const Node& target) const;
 
   std::filesystem::path folder_;  ///< Folder of the first file.

@@ -39,6 +39,7 @@ constexpr std::array kUnits = {
     Unit{"deg/s^2", kAngularAcceleration, math::kPi, 180},
     Unit{"kg", kMass},
     Unit{"g", kMass, 1, 1e3},
+    Unit{"kg m^2", kInertia},
     Unit{"N", kForce},
     Unit{"J/m", kForce},
     Unit{"N m", kTorque},

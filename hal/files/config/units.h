@@ -15,6 +15,7 @@ enum class Dimension {
   kAngularSpeed,
   kAngularAcceleration,
   kMass,
+  kInertia,
   kForce,
   kTorque,
   kVoltage,

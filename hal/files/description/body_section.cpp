@@ -5,6 +5,7 @@
 
 #include "hal/files/description/field_io.h"
 #include "hal/files/description/infrared_section.h"
+#include "hal/files/description/rigid.h"
 #include "hal/files/description/robot_checks.h"
 #include "hal/files/description/sensors_section.h"
 #include "hal/files/description/wheels_section.h"
@@ -16,6 +17,7 @@ namespace {
 using node::devices::AccelerationLimits;
 using node::devices::BodyBox;
 using node::devices::BodyCylinder;
+using node::devices::BodyInertia;
 using node::devices::MoteDescription;
 using node::devices::RobotDescription;
 
@@ -72,7 +74,9 @@ using Shape = std::variant<std::monostate, BodyCylinder, BodyBox>;  ///< monosta
 const std::array kShapes{alternative<Shape, BodyCylinder>({"cylinder", "An upright cylinder."}),
                          alternative<Shape, BodyBox>({"box", "A box."})};
 
-void shape_keys(Fields& io, Shape& shape) {
+/// @param has_mass  false: the body's `inertia` holds all masses, and that of a shape does not
+/// count.
+void shape_keys(Fields& io, Shape& shape, bool has_mass) {
   Mapping* const in = io.reading();
   const bool are_two = in != nullptr && in->has("cylinder") && in->has("box");
   const auto keys = [](Fields& one, Shape& any) {
@@ -83,7 +87,8 @@ void shape_keys(Fields& io, Shape& shape) {
   double none = 0;
   const auto mass = Overloaded{[&none](std::monostate& /*c*/) -> double& { return none; },
                                [](auto& c) -> double& { return c.mass; }};
-  io.needed(kShapeMass, "kg", kMass, std::visit(mass, shape));
+  if (has_mass) return io.needed(kShapeMass, "kg", kMass, std::visit(mass, shape));
+  if (io.reading() != nullptr) io.reading()->has(kShapeMass.name);  // of an included file
 }
 
 /// Cylinders first, then boxes.
@@ -95,7 +100,9 @@ std::vector<Shape> shapes_of(const RobotDescription& robot) {
 
 void collision_key(Fields& io, RobotDescription& robot) {
   std::vector<Shape> shapes = shapes_of(robot);
-  io.list<Shape>(kCollision, shapes, shape_keys);
+  const bool has_mass = !robot.inertia;
+  io.list<Shape>(kCollision, shapes,
+                 [&](Fields& one, Shape& shape) { shape_keys(one, shape, has_mass); });
   if (io.reading() == nullptr) return;
   for (const Shape& shape : shapes) {
     std::visit(Overloaded{[](std::monostate /*c*/) {},
@@ -107,7 +114,38 @@ void collision_key(Fields& io, RobotDescription& robot) {
     io.mistake(kCollision.name, "must have at least one shape");
 }
 
+/// Elements of the tensor are at most these of 10 t within 10 m.
+constexpr Range kMoment{0, 1e6};      // kg m^2
+constexpr Range kProduct{-1e6, 1e6};  // kg m^2
+
+void keys_of(Fields& io, BodyInertia& c) {
+  io.needed({"mass", "Mass of the body with its casters.", "1.2 kg"}, "kg", kMass, c.mass);
+  io.needed({"centre", "Centre of mass in the body frame, whose origin is on the ground.",
+             "[-3 cm, 0 m, 8 cm]"},
+            "m", kOffset, c.centre);
+  io.needed({"moments",
+             "Moments of inertia about the axes of the body frame through the centre of mass: Ixx, "
+             "Iyy, Izz.",
+             "[0.002 kg m^2, 0.0021 kg m^2, 0.002 kg m^2]"},
+            "kg m^2", kMoment, c.moments);
+  io.vec3({"products",
+           "The tensor's other elements: Ixy, Ixz, Iyz. Ixy is minus the integral of x y over the "
+           "mass, as in URDF and SDF.",
+           "[0 kg m^2, 0.0001 kg m^2, 0 kg m^2]"},
+          "kg m^2", kProduct, c.products);
+  if (io.reading() == nullptr || !io.reading()->has("moments")) return;
+  if (const auto why = why_not_solid(c.moments, c.products)) io.mistake("moments", *why);
+}
+
 void link_keys(Fields& io, RobotDescription& robot) {
+  BodyInertia inertia = robot.inertia.value_or(BodyInertia{});
+  const bool has_inertia =
+      io.inside_given({"inertia",
+                       "Mass and inertia of the body with its casters, without its driven wheels; "
+                       "masses of shapes and "
+                       "casters do not count beside it. Absent: they make it."},
+                      robot.inertia.has_value(), [&](Fields& own) { keys_of(own, inertia); });
+  if (has_inertia) robot.inertia = inertia;
   io.number({"friction",
              "Coefficient of friction of the body's surface. Where two bodies touch, the lower "
              "coefficient of the two counts.",

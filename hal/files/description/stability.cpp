@@ -36,8 +36,15 @@ Eigen::Matrix3d spread(const Vec3& squares, double yaw) {
   return turn * in_eigen(squares).asDiagonal() * turn.transpose();
 }
 
-std::vector<SolidPart> parts_of(const RobotDescription& robot) {
-  std::vector<SolidPart> parts;
+/// The body as one part, from its tensor I: mean products are (tr(I) / 2 - I) / mass.
+SolidPart part_of(const node::devices::BodyInertia& c) {
+  Eigen::Matrix3d tensor;
+  tensor << c.moments.x, c.products.x, c.products.y, c.products.x, c.moments.y, c.products.z,
+      c.products.y, c.products.z, c.moments.z;
+  return {c.mass, c.centre, (tensor.trace() / 2 * Eigen::Matrix3d::Identity() - tensor) / c.mass};
+}
+
+void add_shapes(std::vector<SolidPart>& parts, const RobotDescription& robot) {
   for (const auto& c : robot.cylinders) {
     const double length = c.z_top - c.z_bottom;
     const double round = c.radius * c.radius / 4;
@@ -49,8 +56,18 @@ std::vector<SolidPart> parts_of(const RobotDescription& robot) {
     const Vec3 squares{b.size.x * b.size.x, b.size.y * b.size.y, b.size.z * b.size.z};
     parts.push_back({b.mass, b.centre, spread((1.0 / 12) * squares, b.yaw)});
   }
+}
+
+std::vector<SolidPart> parts_of(const RobotDescription& robot) {
+  std::vector<SolidPart> parts;
+  if (robot.inertia) {
+    parts.push_back(part_of(*robot.inertia));
+  } else {
+    add_shapes(parts, robot);
+  }
   for (const Wheel& w : robot.wheels) {
-    const double round = w.radius * w.radius / 5;  // a sphere, as in the simulator
+    if (robot.inertia && !w.is_driven()) continue;  // part of the body
+    const double round = w.radius * w.radius / 5;   // a sphere, as in the simulator
     parts.push_back(
         {w.mass, {w.position.x, w.position.y, w.radius}, spread({round, round, round}, 0)});
   }

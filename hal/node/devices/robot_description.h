@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,17 @@ struct BodyBox {
   double yaw = 0;   ///< rad
   double mass = 0;  ///< kg, > 0
   bool operator==(const BodyBox&) const = default;
+};
+
+/// Mass of a body as measured or computed elsewhere, in place of that of its solid shapes.
+struct BodyInertia {
+  double mass = 0;  ///< kg, > 0
+  Vec3 centre;      ///< m, centre of mass, body frame
+  /// kg m^2, the tensor about the centre of mass along the axes of the body frame: Ixx, Iyy, Izz
+  /// and Ixy, Ixz, Iyz, which are elements of the tensor, as in URDF and SDF: minus the integral of
+  /// x y.
+  Vec3 moments, products;
+  bool operator==(const BodyInertia&) const = default;
 };
 
 /// Limits at which the motor controller lets a velocity command grow and decrease; each > 0.
@@ -67,6 +79,8 @@ struct RobotDescription {
   std::string model;
   std::vector<BodyCylinder> cylinders;  ///< At least one cylinder or box.
   std::vector<BodyBox> boxes;
+  /// Of all but the driven wheels: the masses of shapes and casters do not count beside it.
+  std::optional<BodyInertia> inertia{};
   double friction = 0.3;      ///< Coefficient against walls, motes, robots; >= 0.
   std::vector<Wheel> wheels;  ///< >= 3, casters included; see WheelDrive.
   WheelLevel wheel_level = WheelLevel::kJointed;

@@ -33,16 +33,27 @@ TEST_F(DocumentTest, NamesAFileThatIsCalledNearlyAsTheMissingOne) {
   EXPECT_TRUE(found[0].ends_with("; did you mean 'walk.yaml'?")) << found[0];
 }
 
+TEST_F(DocumentTest, UrdfAndSdfNameModelsOfRobotsAndWorldsOnly) {
+  const auto file = write("a.yaml", "parameters: {sdf: 3, drive: 4}\n");
+  Document document = Document::load(file);
+  Mapping parameters = document.root().mapping({"parameters", "Of a test.", "{}"});
+  EXPECT_EQ(parameters.integer({"sdf", "Of a test.", "3"}, 0, 9), 3);
+  EXPECT_EQ(parameters.integer({"drive", "Of a test.", "4"}, 0, 9), 4);
+  EXPECT_EQ(loading(write("b.yaml", "robot: {urdf: no.urdf}\n")).size(), 1U);
+}
+
 TEST_F(DocumentTest, SaysWhatAFileIsThatIsNotYaml) {
-  const std::string shown = "; `baraka describe robot` shows a robot in YAML";
+  const std::string urdf =
+      "is URDF, which a scenario takes as `robot: {urdf: FILE, drive: {left: JOINT, right: "
+      "JOINT}}`";
   const std::string body = "<link name=\"base\"/></robot>\n";
   EXPECT_EQ(loading(write("a.urdf",
                           "<?xml version=\"1.0\"?>\n<!-- <sdf> -->\n<robot name=\"a\">" + body)),
-            (Lines{"a.urdf: is URDF, which is not read yet" + shown}));
-  EXPECT_EQ(loading(write("b.yaml", "\xef\xbb\xbf\n<robot>" + body)),
-            (Lines{"b.yaml: is URDF, which is not read yet" + shown}));
+            (Lines{"a.urdf: " + urdf}));
+  EXPECT_EQ(loading(write("b.yaml", "\xef\xbb\xbf\n<robot>" + body)), (Lines{"b.yaml: " + urdf}));
   EXPECT_EQ(loading(write("a.sdf", "<sdf version='1.9'/>")),
-            (Lines{"a.sdf: is SDF, which is not read yet" + shown}));
+            (Lines{"a.sdf: is SDF, which a scenario takes as `robot: {sdf: FILE}` or `world: {sdf: "
+                   "FILE}`"}));
   for (const char* text : {"<html></html>", "<", "<!-- without end", "<?xml"}) {
     EXPECT_EQ(loading(write("a.xml", text)), (Lines{"a.xml: is XML, not YAML"})) << text;
   }

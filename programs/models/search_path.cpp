@@ -1,0 +1,64 @@
+#include "programs/models/search_path.h"
+
+#include <cstdlib>
+#include <sstream>
+
+namespace programs::models {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Variable {
+  const char* name;
+  const char* below;
+};
+constexpr Variable kVariables[] = {{"ROS_PACKAGE_PATH", ""},
+                                   {"AMENT_PREFIX_PATH", "share"},
+                                   {"GZ_SIM_RESOURCE_PATH", ""},
+                                   {"IGN_GAZEBO_RESOURCE_PATH", ""},
+                                   {"GAZEBO_MODEL_PATH", ""}};
+
+std::optional<fs::path> if_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error) ? std::optional(path) : std::nullopt;
+}
+
+}  // namespace
+
+SearchPath::SearchPath(const fs::path& file, std::vector<fs::path> given)
+    : folder_(fs::absolute(file).lexically_normal().parent_path()), folders_(std::move(given)) {
+  for (const Variable& variable : kVariables) {
+    const char* const value = std::getenv(variable.name);
+    std::istringstream list(value == nullptr ? "" : value);
+    for (std::string one; std::getline(list, one, ':');)
+      if (!one.empty()) folders_.push_back(fs::path(one) / variable.below);
+  }
+}
+
+std::optional<fs::path> SearchPath::find(const std::string& uri) const {
+  const std::size_t scheme = uri.find("://");
+  if (scheme == std::string::npos) return if_there(folder_ / uri);
+  const std::string rest = uri.substr(scheme + 3);
+  if (uri.starts_with("file://")) return if_there(folder_ / rest);
+  const std::size_t slash = rest.find('/');
+  const std::string package = rest.substr(0, slash);
+  const fs::path path = slash == std::string::npos ? fs::path{} : fs::path(rest.substr(slash + 1));
+  if (package.empty()) return std::nullopt;
+  for (const fs::path& folder : folders_) {
+    if (auto found = if_there(folder / package / path)) return found;
+    if (folder.filename() == package || folder.parent_path().filename() == package)
+      if (auto found = if_there(folder / path)) return found;
+  }
+  for (fs::path around = folder_; around.has_relative_path(); around = around.parent_path())
+    if (around.filename() == package)
+      if (auto found = if_there(around / path)) return found;
+  return std::nullopt;
+}
+
+std::string SearchPath::listed() const {
+  std::string list;
+  for (const fs::path& folder : folders_) list += (list.empty() ? "" : ", ") + folder.string();
+  return list.empty() ? "no folder" : list;
+}
+
+}  // namespace programs::models
