@@ -52,7 +52,7 @@ void keys_of(Fields& io, Scenario& scenario) {
   agents::SimulationConfig& config = scenario.simulation;
   run_keys(io, scenario);
   io.inside({"world", "Walls, boxes and the physics engine."},
-            [&](Fields& world) { world_keys(world, config); });
+            [&](Fields& world) { world_keys(world, config, scenario.maps); });
   io.inside({"radio", "The radio of all agents."},
             [&](Fields& radio) { keys_of(radio, config.radio); });
   hal::files::description::routing_key(io, config.routing, link_capabilities(config));

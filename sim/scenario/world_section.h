@@ -3,11 +3,15 @@
 #include "hal/node/routing/ports.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/world_map.h"
 
 namespace sim::scenario {
 
-/// `world:` of a scenario: `physics`, and `walls` and `boxes`, which differ only in their names.
-void world_keys(Fields& io, agents::SimulationConfig& config);
+/// `world:` of a scenario: `physics`; `walls` and `boxes`, which differ only in their names; `map`.
+void world_keys(Fields& io, agents::SimulationConfig& config, std::vector<WorldMap>& maps);
+
+/// Keys of a wall's surface: of one wall, or of all walls of a map.
+void surface_keys(Fields& io, physics::StaticBox& box);
 
 /// What the agents' links report to their routers.
 inline hal::node::routing::LinkCapabilities link_capabilities(
