@@ -17,6 +17,7 @@
 #include "sim/agents/path.h"
 #include "sim/agents/scripted_event.h"
 #include "sim/air/network_config.h"
+#include "sim/core/material.h"
 #include "sim/physics/world.h"
 #include "sim/radio/radio_config.h"
 
@@ -112,6 +113,7 @@ struct SimulationConfig {
   OnDeath on_death = OnDeath::kFail;
   physics::WorldConfig world;
   std::vector<physics::StaticBox> walls;
+  std::vector<Material> materials;  ///< Of walls, beside the built-in ones.
   radio::RadioConfig radio;
   LinkKind link = LinkKind::kMac;
   hal::node::routing::RoutingConfig routing;

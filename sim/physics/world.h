@@ -15,6 +15,7 @@
 #include "hal/types/result.h"
 #include "hal/types/time.h"
 #include "sim/core/ground.h"
+#include "sim/core/material.h"
 #include "sim/core/obstacle_loss.h"
 #include "sim/physics/shape.h"
 
@@ -48,7 +49,8 @@ struct StaticBox {
   hal::Vec3 size;    ///< m along its own axes, each > 0
   double yaw = 0;    ///< rad
   double friction = 0.6;
-  ObstacleLoss radio_loss = kBrickWall;  ///< Not used by the world itself.
+  ObstacleLoss radio_loss = kBrickWall;    ///< Not used by the world itself.
+  std::string material{kDefaultMaterial};  ///< The same: name of a Material.
 };
 
 /// Pose of a body. The origin is the centre of a robot's footprint, or of the face on which a mote

@@ -65,7 +65,7 @@ class MapPlacement {
   hal::Vec2 axis_;
 };
 
-void keys_of(Fields& io, WorldMap& map) {
+void keys_of(Fields& io, WorldMap& map, std::span<const Material> materials) {
   file_key(io,
            {"file",
             "The map's YAML file, as nav2_map_server reads it; its image is PGM or PNG. Relative "
@@ -95,7 +95,7 @@ void keys_of(Fields& io, WorldMap& map) {
        "rectangle around them are shorter; 0: none are.",
        "20 cm"},
       "m", {0, 1000}, map.drop_below);
-  surface_keys(io, map.wall);
+  surface_keys(io, materials, map.wall);
 }
 
 void take(Fields& io, WorldMap& map, agents::SimulationConfig& config) {
@@ -147,7 +147,7 @@ void map_keys(Fields& io, std::vector<WorldMap>& maps, agents::SimulationConfig&
                 "list: {file: office.yaml}.",
                 "[{file: office.yaml}]"};
   const auto one = [&](Fields& each, WorldMap& map) {
-    keys_of(each, map);
+    keys_of(each, map, config.materials);
     if (each.reading() != nullptr) take(each, map, config);
   };
   if (io.reading() != nullptr && io.reading()->has_mapping(key.name)) {

@@ -4,6 +4,7 @@
 
 #include "sim/scenario/fields.h"
 #include "sim/scenario/map_section.h"
+#include "sim/scenario/material_keys.h"
 
 namespace sim::scenario {
 namespace {
@@ -56,7 +57,7 @@ void physics_keys(Fields& io, WorldConfig& c) {
            1, 1000, c.jam_robots);
 }
 
-void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
+void keys_of(Fields& io, StaticBox& box, const agents::SimulationConfig& config) {
   io.text({"name", "Name of the wall or box in the results.", "north",
            "`wall` or `box` with its number"},
           box.name);
@@ -66,10 +67,11 @@ void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
   hal::Vec2 at{box.centre.x, box.centre.y};
   io.needed({"position", "Position of its centre, world frame.", "[0 m, 3 m]"}, "m", kCoordinate,
             at);
-  box.centre = {at.x, at.y, ground.height(at) + box.size.z / 2};  // the box stands on the ground
+  const double ground = config.world.ground->height(at);
+  box.centre = {at.x, at.y, ground + box.size.z / 2};  // the box stands on the ground
   io.number({"yaw", "Rotation about the vertical, counter-clockwise seen from above.", "45 deg"},
             "rad", kAngle, box.yaw);
-  surface_keys(io, box);
+  surface_keys(io, config.materials, box);
 }
 
 /// @param kind  prefix of the names of boxes without a name; a number follows.
@@ -80,7 +82,7 @@ void boxes(Fields& io, const Key& key, std::string_view kind, agents::Simulation
   if (io.reading() == nullptr) listed = all;
   io.list<StaticBox>(key, listed, [&](Fields& one, StaticBox& box) {
     if (one.reading() != nullptr) box.name = fmt::format("{}{}", kind, &box - listed.data());
-    keys_of(one, box, *config.world.ground);
+    keys_of(one, box, config);
   });
   if (io.reading() != nullptr)
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(first), listed.begin(), listed.end());
@@ -88,12 +90,13 @@ void boxes(Fields& io, const Key& key, std::string_view kind, agents::Simulation
 
 }  // namespace
 
-void surface_keys(Fields& io, StaticBox& box) {
+void surface_keys(Fields& io, std::span<const Material> materials, StaticBox& box) {
   io.number({"friction",
              "Coefficient of friction of its surface. Where two bodies touch, the lower "
              "coefficient of the two counts.",
              "0.6"},
             "1", kFriction, box.friction);
+  material_key(io, materials, box.material);
   // Defaults from Sommer et al. 2011 (kBrickWall); docs/models.md, 9, lists others.
   io.inside(
       {"radio_loss",
@@ -109,6 +112,7 @@ void surface_keys(Fields& io, StaticBox& box) {
 void world_keys(Fields& io, agents::SimulationConfig& config, std::vector<WorldMap>& maps) {
   io.inside({"physics", "Parameters of the physics engine (ODE)."},
             [&](Fields& physics) { physics_keys(physics, config.world); });
+  materials_key(io, config.materials);
   boxes(io,
         {"walls", "Boxes that never move.", "[{size: [6 m, 20 cm, 50 cm], position: [0 m, 3 m]}]"},
         "wall", config);

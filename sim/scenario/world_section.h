@@ -10,8 +10,9 @@ namespace sim::scenario {
 /// `world:` of a scenario: `physics`; `walls` and `boxes`, which differ only in their names; `map`.
 void world_keys(Fields& io, agents::SimulationConfig& config, std::vector<WorldMap>& maps);
 
-/// Keys of a wall's surface: of one wall, or of all walls of a map.
-void surface_keys(Fields& io, physics::StaticBox& box);
+/// What a wall is like, or all walls of a map: friction, material, radio's loss.
+/// @param materials  those of the scenario.
+void surface_keys(Fields& io, std::span<const Material> materials, physics::StaticBox& box);
 
 /// What the agents' links report to their routers.
 inline hal::node::routing::LinkCapabilities link_capabilities(

@@ -34,7 +34,8 @@ world:
   physics:
     {step: 5 ms, gravity: 1.62 m/s^2, erp: 0.3, cfm: 1e-7, surface_layer: 0.2 mm,
      max_correcting_velocity: 0.2 m/s, ground_friction: 0.4, jam_contacts: 9, jam_robots: 5}
-  walls: [{name: w, size: [1 m, 2 m, 3 m], position: [4 m, 5 m], yaw: 10 deg, friction: 0.7,
+  materials: [{name: door, loss: 2.5 dB, loss_5ghz: 3.5 dB}]
+  walls: [{name: w, size: [1 m, 2 m, 3 m], position: [4 m, 5 m], yaw: 10 deg, friction: 0.7, material: door,
            radio_loss: {per_crossing: 15 dB, per_metre: 2 dB/m}}]
   boxes: [{size: [1 m, 1 m, 0.1 m], position: [-4 m, -5 m]}]
 radio:
@@ -268,6 +269,9 @@ TEST_F(Resolved, KeepsTheWorld) {
   EXPECT_EQ(c.walls[1].name, "box0");
   EXPECT_EQ(c.walls[0].radio_loss, (ObstacleLoss{hal::Decibels{15}, 2}));
   EXPECT_EQ(c.walls[1].radio_loss, kBrickWall);
+  EXPECT_EQ(c.materials, (std::vector<Material>{{"door", hal::Decibels{2.5}, hal::Decibels{3.5}}}));
+  EXPECT_EQ(c.walls[0].material, "door");
+  EXPECT_EQ(c.walls[1].material, "brick");
 }
 
 TEST_F(Resolved, KeepsTheChainOfPropagation) {
