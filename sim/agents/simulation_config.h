@@ -18,6 +18,7 @@
 #include "sim/agents/scripted_event.h"
 #include "sim/air/network_config.h"
 #include "sim/core/material.h"
+#include "sim/physics/movable.h"
 #include "sim/physics/world.h"
 #include "sim/radio/radio_config.h"
 
@@ -114,6 +115,7 @@ struct SimulationConfig {
   physics::WorldConfig world;
   std::vector<physics::StaticBox> walls;
   std::vector<Material> materials;  ///< Of walls, beside the built-in ones.
+  std::vector<physics::Movable> movables;
   radio::RadioConfig radio;
   LinkKind link = LinkKind::kMac;
   hal::node::routing::RoutingConfig routing;

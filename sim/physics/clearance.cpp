@@ -20,6 +20,7 @@ Vec3 centre_of(dBodyID body) {
 /// Half the diagonal of a geometry, plus its distance from the centre of mass. m
 double radius_of(dGeomID geometry) {
   dVector3 half{};
+  if (dGeomGetClass(geometry) == dSphereClass) return dGeomSphereGetRadius(geometry);  // a movable
   if (dGeomGetClass(geometry) == dBoxClass) {
     dGeomBoxGetLengths(geometry, half);
     for (double& length : half) length *= 0.5;

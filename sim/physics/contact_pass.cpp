@@ -3,25 +3,51 @@
 #include <algorithm>
 #include <span>
 
+#include "sim/physics/manifold.h"
+
 namespace sim::physics {
 namespace {
 
-constexpr int kContactsPerPair = 4;
+/// Most contacts that are asked for; those of a movable are chosen among them.
+constexpr std::size_t kMostFound = 16;
 
 struct Joined {
   int contacts = 0;
   double depth = 0;  ///< m, of the deepest contact
+  hal::Vec3 push;    ///< Sum of the normals, into `a`.
 };
 
+/// @param movable  null: none takes part.
+struct Surfaces {
+  double friction = 0;
+  const Object* movable = nullptr;
+};
+
+std::size_t find_contacts(dGeomID a, dGeomID b, std::span<dContact> contacts) {
+  const int most = static_cast<int>(contacts.size());
+  return static_cast<std::size_t>(dCollide(a, b, most, &contacts[0].geom, sizeof(dContact)));
+}
+
 /// Up to four contacts between two geometries, with friction, as joints.
-Joined join(const OdeWorld& world, dGeomID a, dGeomID b, double friction) {
-  std::array<dContact, kContactsPerPair> contacts{};
-  const int count = dCollide(a, b, kContactsPerPair, &contacts[0].geom, sizeof(dContact));
-  Joined joined{count, 0};
-  for (dContact& contact : std::span(contacts).first(static_cast<std::size_t>(count))) {
+Joined join(const OdeWorld& world, dGeomID a, dGeomID b, const Surfaces& surfaces) {
+  std::array<dContact, kMostFound> contacts;
+  const std::size_t most = surfaces.movable == nullptr ? kContactsPerPair : kMostFound;
+  const std::size_t found = find_contacts(a, b, std::span(contacts).first(most));
+  const std::size_t count = choose_support(std::span(contacts).first(found));
+  Joined joined{static_cast<int>(count), 0, {}};
+  for (dContact& contact : std::span(contacts).first(count)) {
     joined.depth = std::max(joined.depth, contact.geom.depth);
     contact.surface.mode = dContactApprox1;
-    contact.surface.mu = friction;
+    contact.surface.mu = surfaces.friction;
+    if (surfaces.movable != nullptr) {
+      const Object& movable = *surfaces.movable;
+      align_friction(contact, dGeomGetBody(a), dGeomGetBody(b), movable.rubbing);
+      resist_rolling(contact, movable.rigid.body, movable.rubbing);
+      contact.surface.mode |= dContactSoftCFM;
+      contact.surface.soft_cfm = movable.rubbing.softness;
+      const dReal* n = contact.geom.normal;
+      joined.push = joined.push + hal::Vec3{n[0], n[1], n[2]};
+    }
     const dJointID joint = dJointCreateContact(world.dynamics(), world.contacts(), &contact);
     dJointAttach(joint, dGeomGetBody(a), dGeomGetBody(b));
   }
@@ -30,6 +56,15 @@ Joined join(const OdeWorld& world, dGeomID a, dGeomID b, double friction) {
 
 const Solid& solid_of(dGeomID geometry) {
   return *static_cast<const Solid*>(dGeomGetData(geometry));
+}
+
+void press(Object& movable, const hal::Vec3& push) {
+  movable.rubbing.push = movable.rubbing.push + push;
+}
+
+ContactRecord& record_of(Contacts& contacts, Solid::Kind other) {
+  if (other == Solid::Kind::kMovable) return contacts.movables;
+  return other == Solid::Kind::kMote ? contacts.motes : contacts.robots;
 }
 
 bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 0; }
@@ -67,21 +102,23 @@ void ContactPass::forget() {
 /// A body that falls asleep does not move: its contacts in that step last until an awake object
 /// touches it and wakes it. @return whether it has contacts.
 bool ContactPass::count_rest(std::size_t object) {
-  std::array<bool, 3>& touched = touched_[object];
+  Touched& touched = touched_[object];
   Object& sleeper = *objects_[object];
+  sleeper.rubbing.push = {};
   if (sleeper.awake() || sleeper.frozen) touched = {};
-  const auto [wall, robot, mote] = touched;  // in the order of Solid::Kind
+  const auto [wall, robot, mote, movable] = touched;  // in the order of Solid::Kind
   if (wall) ++sleeper.contacts.walls.steps;
   if (robot) ++sleeper.contacts.robots.steps;
   if (mote) ++sleeper.contacts.motes.steps;
-  if (robot || mote) ++sleeper.contacts.bodies.steps;
-  return wall || robot || mote;
+  if (movable) ++sleeper.contacts.movables.steps;
+  if (robot || mote || movable) ++sleeper.contacts.bodies.steps;
+  return wall || robot || mote || movable;
 }
 
 /// Sleeping objects in contact wake each other in the same step, so these stay in the search.
 void ContactPass::rest(std::size_t object) {
-  const auto [wall, robot, mote] = touched_[object];
-  if (!Clearance::measures(objects_) && !robot && !mote) zones_.rest(object);
+  const auto [wall, robot, mote, movable] = touched_[object];
+  if (!Clearance::measures(objects_) && !robot && !mote && !movable) zones_.rest(object);
 }
 
 void ContactPass::note(ContactRecord& record) const {
@@ -96,12 +133,26 @@ void ContactPass::touch(dGeomID a, dGeomID b) {
   if (body_a == body_b || (!is_awake(body_a) && !is_awake(body_b))) return;
   const Solid& solid_a = solid_of(a);
   const Solid& solid_b = solid_of(b);
-  const auto [contacts, depth] = join(world_, a, b, std::min(solid_a.friction, solid_b.friction));
-  if (contacts == 0) return;
-  deepest_ = std::max(deepest_, depth);
+  const double friction = std::min(solid_a.friction, solid_b.friction);
+  const Joined joined = join(world_, a, b, {friction, movable_of(solid_a, solid_b)});
+  if (joined.contacts == 0) return;
+  deepest_ = std::max(deepest_, joined.depth);
   record(solid_a, solid_b);
   record(solid_b, solid_a);
-  count(solid_a, solid_b, contacts);
+  count(solid_a, solid_b, joined.contacts);
+  if (solid_a.kind == Solid::Kind::kMovable) press(*objects_[solid_a.object], joined.push);
+  if (solid_b.kind == Solid::Kind::kMovable) press(*objects_[solid_b.object], -1 * joined.push);
+}
+
+/// The one that may roll, or else any; null: neither is a movable.
+const Object* ContactPass::movable_of(const Solid& a, const Solid& b) const {
+  const Object* chosen = nullptr;
+  for (const Solid& one : {a, b}) {
+    if (one.kind != Solid::Kind::kMovable) continue;
+    const Object* const object = objects_[one.object].get();
+    if (chosen == nullptr || chosen->rubbing.rolling == 0) chosen = object;
+  }
+  return chosen;
 }
 
 void ContactPass::record(const Solid& self, const Solid& other) {
@@ -109,16 +160,17 @@ void ContactPass::record(const Solid& self, const Solid& other) {
   Object& object = *objects_[self.object];
   if (!object.awake()) object.wake();
   awake_.add(self.object);
-  std::array<bool, 3>& touched = touched_[self.object];
+  Touched& touched = touched_[self.object];
   bool& known = touched[static_cast<std::size_t>(other.kind)];
   if (known) return;
   const bool first_body = !touched[static_cast<std::size_t>(Solid::Kind::kRobot)] &&
-                          !touched[static_cast<std::size_t>(Solid::Kind::kMote)];
-  if (touched == std::array<bool, 3>{}) touching_.push_back(self.object);
+                          !touched[static_cast<std::size_t>(Solid::Kind::kMote)] &&
+                          !touched[static_cast<std::size_t>(Solid::Kind::kMovable)];
+  if (touched == Touched{}) touching_.push_back(self.object);
   known = true;
   Contacts& contacts = object.contacts;
   if (other.kind == Solid::Kind::kWall) return note(contacts.walls);
-  note(other.kind == Solid::Kind::kMote ? contacts.motes : contacts.robots);
+  note(record_of(contacts, other.kind));
   if (first_body) note(contacts.bodies);
 }
 
@@ -131,12 +183,13 @@ void ContactPass::count(const Solid& a, const Solid& b, int contacts) {
     islands_.join(a.object, b.object, contacts);
 }
 
-void ContactPass::stand_on_ground(const Object& mote) {
-  if (!mote.awake()) return;
-  for (const dGeomID geometry : mote.geometries) {
+void ContactPass::stand_on_ground(const Object& object) {
+  if (!object.awake()) return;
+  const Surfaces surfaces{std::min(object.friction, ground_friction_),
+                          object.movable ? &object : nullptr};
+  for (const dGeomID geometry : object.geometries) {
     const dReal* p = dGeomGetPosition(geometry);
-    join(world_, geometry, world_.ground_plane({p[0], p[1]}),
-         std::min(mote.friction, ground_friction_));
+    join(world_, geometry, world_.ground_plane({p[0], p[1]}), surfaces);
   }
 }
 

@@ -30,6 +30,9 @@ class ContactPass {
   /// Adds a wall of the world.
   void add_wall(const Shape& wall) { clearance_.add_wall(wall); }
 
+  /// Whether an object touched nothing but the ground in the last run().
+  bool is_alone(std::size_t object) const { return touched_[object] == Touched{}; }
+
   /// Groups of objects in contact, from the last run().
   ContactIslands& islands() { return islands_; }
 
@@ -37,13 +40,16 @@ class ContactPass {
   double deepest_overlap() const { return deepest_; }
 
  private:
+  using Touched = std::array<bool, 4>;  ///< By Solid::Kind.
+
   void forget();
   bool count_rest(std::size_t object);
   void touch(dGeomID a, dGeomID b);
   void record(const Solid& self, const Solid& other);
   void note(ContactRecord& record) const;
   void count(const Solid& a, const Solid& b, int contacts);
-  void stand_on_ground(const Object& mote);
+  void stand_on_ground(const Object& object);
+  const Object* movable_of(const Solid& a, const Solid& b) const;
 
   const OdeWorld& world_;
   Objects& objects_;
@@ -55,7 +61,7 @@ class ContactPass {
   hal::Time now_{};
   double deepest_ = 0;
   /// Per object and kind: contact recorded in this step.
-  std::vector<std::array<bool, 3>> touched_;
+  std::vector<Touched> touched_;
   std::vector<std::size_t> touching_;  ///< The objects with any of these set.
 };
 

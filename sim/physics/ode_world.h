@@ -40,6 +40,11 @@ class OdeWorld {
   void solve_iteratively(double seconds, std::uint32_t seed);
 
   std::uint64_t messages() const { return messages_; }
+  /// @param count  an earlier messages(): those of a step that is repeated do not count.
+  void forget_messages_since(std::uint64_t count) { messages_ = count; }
+
+  /// Sets the number of iterations of the iterative solver; at first 20.
+  void set_iterations(int count) const { dWorldSetQuickStepNumIterations(dynamics_, count); }
 
  private:
   dThreadingImplementationID threading_;

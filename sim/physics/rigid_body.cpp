@@ -129,6 +129,31 @@ void refresh_cylinder(Shape& shape, dGeomID geometry) {
   shape.z_high = z + 0.5 * length;
 }
 
+/// Upright within 45 degrees it is a cylinder, else a box around the cylinder that lies on its
+/// side.
+void refresh_movable_cylinder(Shape& shape, dGeomID geometry) {
+  refresh_cylinder(shape, geometry);
+  double radius = 0, length = 0;
+  dGeomCylinderGetParams(geometry, &radius, &length);
+  const dReal* r = dGeomGetRotation(geometry);
+  const double level = std::sqrt(r[2] * r[2] + r[6] * r[6]);  // sine of the tilt
+  const bool stands = std::abs(r[10]) >= level;
+  shape.kind = stands ? Shape::Kind::kCylinder : Shape::Kind::kBox;
+  if (!stands) shape.axis = {r[2] / level, r[6] / level};
+  shape.half = stands ? Vec2{} : Vec2{0.5 * length, radius};
+  const double height = 0.5 * length * std::abs(r[10]) + radius * level;
+  const double z = dGeomGetPosition(geometry)[2];
+  shape.z_low = z - height;
+  shape.z_high = z + height;
+}
+
+void refresh_sphere(Shape& shape, dGeomID geometry) {
+  shape.radius = dGeomSphereGetRadius(geometry);
+  const double z = dGeomGetPosition(geometry)[2];
+  shape.z_low = z - shape.radius;
+  shape.z_high = z + shape.radius;
+}
+
 }  // namespace
 
 void set_yaw(dMatrix3 rotation, double yaw) {
@@ -156,10 +181,14 @@ void stand(const RigidBody& body, const hal::Pose2& pose, const Ground& ground) 
   dBodySetPosition(body.body, place.x + centre.x, place.y + centre.y, place.z + centre.z);
 }
 
-void lift(const RigidBody& body, double height) {
+void lift(const RigidBody& body, double height) { shift(body, {0, 0, height}); }
+
+void shift(const RigidBody& body, const Vec3& way) {
   const dReal* p = dBodyGetPosition(body.body);
-  dBodySetPosition(body.body, p[0], p[1], p[2] + height);
+  dBodySetPosition(body.body, p[0] + way.x, p[1] + way.y, p[2] + way.z);
 }
+
+Vec3 linear_velocity(const RigidBody& body) { return as_vector(dBodyGetLinearVel(body.body)); }
 
 Vec3 position_of(const RigidBody& body) {
   return as_vector(dBodyGetPosition(body.body)) - rotate(body.body, body.centre_of_mass);
@@ -252,8 +281,12 @@ RigidBody make_chassis(const OdeWorld& world, const devices::RobotDescription& r
 void refresh(Shape& shape, dGeomID geometry) {
   const dReal* position = dGeomGetPosition(geometry);
   shape.centre = {position[0], position[1]};
-  if (shape.kind == Shape::Kind::kBox)
+  if (dGeomGetClass(geometry) == dBoxClass)
     refresh_box(shape, geometry);
+  else if (dGeomGetClass(geometry) == dSphereClass)
+    refresh_sphere(shape, geometry);
+  else if (shape.is_movable)
+    refresh_movable_cylinder(shape, geometry);
   else
     refresh_cylinder(shape, geometry);
 }

@@ -11,7 +11,7 @@ namespace sim::physics {
 
 /// What contacts need to know of the owner of a geometry; attached to the geometry.
 struct Solid {
-  enum class Kind : std::uint8_t { kWall, kRobot, kMote };
+  enum class Kind : std::uint8_t { kWall, kRobot, kMote, kMovable };
   Kind kind = Kind::kWall;
   std::size_t object = 0;  ///< Index among the world's moving objects; unused for walls.
   double friction = 0;
@@ -44,10 +44,13 @@ void stand(const RigidBody& body, const hal::Pose2& pose, const Ground& ground);
 
 /// Raises a body vertically. m
 void lift(const RigidBody& body, double height);
+/// Moves a body. m
+void shift(const RigidBody& body, const hal::Vec3& way);
 
 BodyPose pose_of(const RigidBody& body);
 hal::Vec3 position_of(const RigidBody& body);
 BodyVelocity velocity_of(const RigidBody& body);
+hal::Vec3 linear_velocity(const RigidBody& body);  ///< m/s of the centre of mass
 
 /// Energies of a body, J. The potential energy is 0 for a centre of mass at the world's origin.
 double kinetic_energy(dBodyID body);
@@ -65,8 +68,8 @@ RigidBody make_mote(const OdeWorld& world, const hal::node::devices::MoteDescrip
 RigidBody make_chassis(const OdeWorld& world, const hal::node::devices::RobotDescription& robot,
                        const hal::Pose2& pose, Geometries& geometries);
 
-/// Sets `shape` to the upright shape nearest to a cylinder or box geometry. @param shape  kind and
-/// owner are kept.
+/// Sets `shape` to the upright shape nearest to a geometry. @param shape  the owner is kept, and
+/// the kind, except that of a movable cylinder: lying on its side it is a box.
 void refresh(Shape& shape, dGeomID geometry);
 
 }  // namespace sim::physics

@@ -17,6 +17,7 @@
 #include "sim/core/ground.h"
 #include "sim/core/material.h"
 #include "sim/core/obstacle_loss.h"
+#include "sim/physics/movable.h"
 #include "sim/physics/shape.h"
 
 namespace sim::physics {
@@ -32,7 +33,7 @@ struct WorldConfig {
   double cfm = 1e-8;                     ///< Softness of constraints.
   double surface_layer = 1e-4;           ///< m; contacts may sink in this far.
   double max_correcting_velocity = 0.1;  ///< m/s at which contacts push bodies apart.
-  double ground_friction = 0.6;          ///< >= 0; for motes. Wheels have their own friction.
+  double ground_friction = 0.6;          ///< >= 0; for motes and movables.
   int jam_contacts = 8;                  ///< Islands with more contacts use the iterative solver.
   /// Islands with more robots use the iterative solver, too: seven robots in a ring have only seven
   /// contacts, for which the exact solver takes 2.5 ms a step.
@@ -53,8 +54,8 @@ struct StaticBox {
   std::string material{kDefaultMaterial};  ///< The same: name of a Material.
 };
 
-/// Pose of a body. The origin is the centre of a robot's footprint, or of the face on which a mote
-/// stood at the start.
+/// Pose of a body. The origin is the centre of a robot's footprint, of the face on which a mote
+/// stood at the start, or of a movable.
 struct BodyPose {
   hal::Vec3 position;                            ///< m, of the origin, world frame
   double heading = 0;                            ///< rad, of the body's x axis seen from above
@@ -78,12 +79,13 @@ struct Contacts {
   ContactRecord walls;
   ContactRecord motes;
   ContactRecord robots;
-  ContactRecord bodies;  ///< Motes or robots: a step in contact with both counts once.
+  ContactRecord movables;
+  ContactRecord bodies;  ///< Of the last three: a step in contact with several counts once.
 };
 
 /// How a body was lost, that is, reached a state that no robot or mote should reach.
 enum class BodyLoss : std::uint8_t {
-  kTipped,       ///< Tilted by more than 1 rad against the ground.
+  kTipped,       ///< Tilted by more than 1 rad against the ground. Never of a movable.
   kBlownUp,      ///< NaN, or faster than 100 km/s; it is frozen at its last valid position.
   kBelowGround,  ///< Its origin is more than 0.2 m below the ground.
   kFarAway,      ///< More than 100 km from the world's origin.
@@ -91,9 +93,17 @@ enum class BodyLoss : std::uint8_t {
 std::string_view name(BodyLoss loss);  ///< For messages: "tipped over".
 
 struct LostBody {
-  AgentId agent;
+  AgentId agent;  ///< 0: a movable.
   BodyLoss how = BodyLoss::kTipped;
-  hal::Time at{};  ///< End of the step.
+  hal::Time at{};                          ///< End of the step.
+  std::optional<std::uint32_t> movable{};  ///< Its number.
+};
+
+/// State of a movable after a step.
+struct MovableState {
+  BodyPose pose;
+  BodyVelocity velocity;
+  bool asleep = false;
 };
 
 /// Energies of an agent's body and wheels, J. The last three are totals since the start; they stay
@@ -112,7 +122,8 @@ struct Energy {
   double mechanical() const { return kinetic + potential; }
 };
 
-/// Rigid bodies on the ground: robots on driven wheels, motes that can be pushed, and walls. Equal
+/// Rigid bodies on the ground: robots on driven wheels, motes and movables that can be pushed, and
+/// walls. Equal
 /// calls give bit-identical results: bodies are made and stepped in the order of the calls. A world
 /// is used by one thread at a time; worlds in other threads do not affect it unless both have a
 /// jam, because the iterative solver uses a random generator that the process shares.
@@ -139,6 +150,8 @@ class World {
                 const hal::Pose2& pose, double height = 0);
   void add_robot(AgentId agent, const hal::node::devices::RobotDescription& robot,
                  const hal::Pose2& pose);
+  /// Movables have numbers, from 0 in the order of the calls.
+  void add_movable(const Movable& movable);
 
   /// Sets the velocity of a robot's body until the next command. The part that the wheels can
   /// realise, scaled to the motors' limit, is approached within the acceleration limits. Errors:
@@ -191,6 +204,12 @@ class World {
 
   bool has(AgentId agent) const;
 
+  std::size_t movable_count() const;
+  /// For all of these: @param number  below movable_count().
+  MovableState movable(std::size_t number) const;
+  const Contacts& movable_contacts(std::size_t number) const;
+  const Shape& movable_shape(std::size_t number) const;  ///< An element of shapes().
+
   /// Bodies that tipped over or were lost, in order of time, each once.
   std::span<const LostBody> lost_bodies() const;
 
@@ -204,6 +223,7 @@ class World {
   /// Agents whose bodies the last step may have moved, in the order in which they were added. All
   /// others are where they were.
   std::span<const AgentId> moved() const;
+  std::span<const std::uint32_t> moved_movables() const;  ///< The same for movables.
 
   /// Number of messages of the solver so far (a singular system, a failed collision test): normally
   /// 0.

@@ -90,10 +90,29 @@ double ConeSection::distance() const {
   return within / cone_.half_angle.x;
 }
 
+/// The distance along a ray grows with its angle to the direction of the centre.
+double distance_to_sphere(const Cone& cone, const Shape& sphere) {
+  const double height = 0.5 * (sphere.z_low + sphere.z_high) - cone.apex.z;
+  const Vec2 way = sphere.centre - Vec2{cone.apex.x, cone.apex.y};
+  const double squared = hal::dot(way, way) + height * height;
+  const double radius_squared = sphere.radius * sphere.radius;
+  if (squared <= radius_squared) return 0;
+  const double along = hal::dot(way, cone.axis);
+  const double aside = std::sqrt(std::max(squared - along * along, 0.0));
+  if (aside * cone.half_angle.x <= along * cone.half_angle.y)
+    return std::sqrt(squared) - sphere.radius;
+  // Along the nearest edge of the cone, in the plane of its axis and the centre.
+  const double ahead = along * cone.half_angle.x + aside * cone.half_angle.y;
+  const double miss = aside * cone.half_angle.x - along * cone.half_angle.y;
+  if (ahead < 0 || miss > sphere.radius) return std::numeric_limits<double>::infinity();
+  return ahead - std::sqrt(radius_squared - miss * miss);
+}
+
 }  // namespace
 
 std::optional<double> nearest(const Cone& cone, const Shape& shape) {
-  const double distance = ConeSection(cone, shape).distance();
+  const double distance = shape.kind == Shape::Kind::kSphere ? distance_to_sphere(cone, shape)
+                                                             : ConeSection(cone, shape).distance();
   if (distance > cone.range) return std::nullopt;
   return distance;
 }

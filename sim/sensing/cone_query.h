@@ -23,7 +23,8 @@ struct Cone {
 /// below it is on the nearer face. It remains to find the smallest distance in the convex set in
 /// which the outline overlaps the cone's section at that height, a hyperbola. It is at the
 /// outline's own nearest point, or at the first point of the hyperbola in the outline, found by
-/// bisection to the last bit.
+/// bisection to the last bit. A sphere is seen at the angle in the cone that is nearest to its
+/// centre's.
 std::optional<double> nearest(const Cone& cone, const physics::Shape& shape);
 
 /// Smallest upright box around all cones with this apex and range, for any direction of the axis.

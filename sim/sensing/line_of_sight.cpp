@@ -37,8 +37,22 @@ bool clip_height(Interval& part, double start, double slope, const Shape& shape)
   return part.from < part.to;
 }
 
+double share_in_sphere(const Shape& sphere, const Vec3& from, const Vec3& slope) {
+  const double z = 0.5 * (sphere.z_low + sphere.z_high);
+  const Vec3 to = Vec3{sphere.centre.x, sphere.centre.y, z} - from;
+  const double squared = hal::dot(slope, slope);
+  if (squared == 0) return 0;
+  const double middle = hal::dot(to, slope) / squared;
+  const double room =
+      (sphere.radius * sphere.radius - hal::dot(to, to)) / squared + middle * middle;
+  if (room <= 0) return 0;
+  const double half = std::sqrt(room);
+  return std::max(0.0, std::min(1.0, middle + half) - std::max(0.0, middle - half));
+}
+
 /// Share of the segment inside the shape, 0 .. 1.
 double share_inside(const Shape& shape, const Vec3& from, const Vec3& slope) {
+  if (shape.kind == Shape::Kind::kSphere) return share_in_sphere(shape, from, slope);
   Interval part{0, 1};
   if (!clip_height(part, from.z, slope.z, shape)) return 0;
   const Vec2 start{from.x, from.y};

@@ -26,13 +26,13 @@ std::vector<std::size_t> fixed_among(std::span<const Shape> shapes) {
 /// End of the shapes of one body, whose indices are consecutive.
 std::size_t end_of_body(std::span<const Shape> shapes, std::size_t first) {
   std::size_t end = first + 1;
-  while (end < shapes.size() && shapes[end].owner == shapes[first].owner) ++end;
+  while (end < shapes.size() && shapes[end].is_of_body(shapes[first])) ++end;
   return end;
 }
 
 /// Radius of a circle around the centre that encloses the shape, seen from above. m
 double radius_of(const Shape& shape) {
-  if (shape.kind == Shape::Kind::kCylinder) return shape.radius;
+  if (shape.kind != Shape::Kind::kBox) return shape.radius;
   return std::sqrt(hal::dot(shape.half, shape.half));
 }
 
@@ -66,6 +66,8 @@ class Proximity::Implementation {
     const std::span<const Shape> shapes = world.shapes();
     for (const hal::AgentId agent : world.moved())
       follow(shapes, static_cast<std::size_t>(world.shapes_of(agent).data() - shapes.data()));
+    for (const std::uint32_t i : world.moved_movables())
+      follow(shapes, static_cast<std::size_t>(&world.movable_shape(i) - shapes.data()));
     followed = world.steps();
   }
 
@@ -113,7 +115,7 @@ std::optional<double> Proximity::nearest(const SectorQuery& query, hal::AgentId 
   std::optional<double> smallest;
   for (const std::size_t index : candidates) {
     const Shape& shape = shapes[index];
-    if (shape.owner == own && !shape.is_static()) continue;
+    if (shape.owner == own && own != hal::AgentId{}) continue;
     const std::optional<double> distance = query.nearest(shape);
     if (distance && (!smallest || *distance < *smallest)) smallest = distance;
   }

@@ -97,9 +97,9 @@ std::vector<double> RayFan::ranges(const hal::Vec3& origin, Vec2 ahead,
   std::vector<double> ranges(rays_.size(), std::numeric_limits<double>::infinity());
   for (const std::size_t index : candidates) {
     const Shape& shape = shapes[index];
-    if (shape.owner == own && !shape.is_static()) continue;
+    if (shape.owner == own && own != hal::AgentId{}) continue;
     if (origin.z < shape.z_low || origin.z > shape.z_high) continue;
-    test(shape, {origin.x, origin.y}, ranges);
+    test(slice(shape, origin.z), {origin.x, origin.y}, ranges);
   }
   return ranges;
 }

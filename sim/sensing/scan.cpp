@@ -76,9 +76,10 @@ std::vector<double> ray_ranges(const hal::Vec3& origin, std::span<const hal::Vec
                                std::span<const std::size_t> candidates, hal::AgentId own) {
   std::vector<double> ranges(directions.size(), std::numeric_limits<double>::infinity());
   for (const std::size_t index : candidates) {
-    const physics::Shape& shape = shapes[index];
-    if (shape.owner == own && !shape.is_static()) continue;
-    if (origin.z < shape.z_low || origin.z > shape.z_high) continue;
+    const physics::Shape& whole = shapes[index];
+    if (whole.owner == own && own != hal::AgentId{}) continue;
+    if (origin.z < whole.z_low || origin.z > whole.z_high) continue;
+    const physics::Shape shape = slice(whole, origin.z);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const auto chord = inside(shape, {origin.x, origin.y}, directions[i]);
       if (chord && chord->to >= 0) ranges[i] = std::min(ranges[i], std::max(chord->from, 0.0));

@@ -56,14 +56,23 @@ std::optional<Interval> inside_box(const Shape& shape, Vec2 origin, Vec2 directi
 
 Vec2 unit(double heading) { return {hal::math::cos(heading), hal::math::sin(heading)}; }
 
+Shape slice(const Shape& shape, double z) {
+  Shape cut = shape;
+  if (shape.kind != Shape::Kind::kSphere) return cut;
+  const double above = z - 0.5 * (shape.z_low + shape.z_high);
+  cut.kind = Shape::Kind::kCylinder;
+  cut.radius = std::sqrt(std::max(shape.radius * shape.radius - above * above, 0.0));
+  return cut;
+}
+
 std::optional<Interval> inside(const Shape& shape, Vec2 origin, Vec2 direction) {
-  return shape.kind == Shape::Kind::kCylinder ? inside_circle(shape, origin, direction)
-                                              : inside_box(shape, origin, direction);
+  return shape.kind == Shape::Kind::kBox ? inside_box(shape, origin, direction)
+                                         : inside_circle(shape, origin, direction);
 }
 
 Vec2 to_nearest(const Shape& shape, Vec2 origin) {
   const Vec2 to_centre = shape.centre - origin;
-  if (shape.kind == Shape::Kind::kCylinder) {
+  if (shape.kind != Shape::Kind::kBox) {
     const double distance = length(to_centre);
     if (distance <= shape.radius) return {};
     return (1 - shape.radius / distance) * to_centre;
@@ -77,9 +86,9 @@ Vec2 to_nearest(const Shape& shape, Vec2 origin) {
 Interval extent_along(const Shape& shape, Vec2 origin, Vec2 direction) {
   const double middle = hal::dot(shape.centre - origin, direction);
   const Vec2 own = to_box(shape, direction);
-  const double half = shape.kind == Shape::Kind::kCylinder
-                          ? shape.radius
-                          : shape.half.x * std::abs(own.x) + shape.half.y * std::abs(own.y);
+  const double half = shape.kind == Shape::Kind::kBox
+                          ? shape.half.x * std::abs(own.x) + shape.half.y * std::abs(own.y)
+                          : shape.radius;
   return {middle - half, middle + half};
 }
 
@@ -114,6 +123,7 @@ bool SectorQuery::contains_bearing(Vec2 point) const {
 
 std::optional<double> SectorQuery::nearest(const Shape& shape) const {
   if (origin_.z < shape.z_low || origin_.z > shape.z_high) return std::nullopt;
+  if (shape.kind == Shape::Kind::kSphere) return nearest(slice(shape, origin_.z));
   const Vec2 origin{origin_.x, origin_.y};
   const Vec2 nearest_point = to_nearest(shape, origin);
   const double distance = length(nearest_point);

@@ -20,6 +20,10 @@ struct Region {
   hal::Vec3 low, high;
 };
 
+/// What a horizontal plane cuts out of a shape: of a sphere, a disc.
+/// @pre z in z_low .. z_high.
+physics::Shape slice(const physics::Shape& shape, double z);
+
 /// Nearest point of convex, upright shapes in a sector, exactly and without iteration.
 ///
 /// The points of a convex set within a distance rho of the origin form a convex set, so the

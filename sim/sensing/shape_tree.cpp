@@ -21,7 +21,7 @@ using Node = fcl::detail::NodeBase<Bounds>;
 
 /// Half the extent of a shape along x and y.
 hal::Vec2 extent(const Shape& shape) {
-  if (shape.kind == Shape::Kind::kCylinder) return {shape.radius, shape.radius};
+  if (shape.kind != Shape::Kind::kBox) return {shape.radius, shape.radius};
   const double c = std::abs(shape.axis.x);
   const double s = std::abs(shape.axis.y);
   return {c * shape.half.x + s * shape.half.y, s * shape.half.x + c * shape.half.y};

@@ -63,7 +63,7 @@ double SimulatedSonar::range_in(const Cone& cone) const {
   const auto shapes = site_.world.shapes();
   for (const std::size_t index : site_.proximity().within(bounds(cone))) {
     const physics::Shape& shape = shapes[index];
-    if (shape.owner == site_.agent && !shape.is_static()) continue;
+    if (shape.owner == site_.agent) continue;
     range = std::min(range, nearest(cone, shape).value_or(range));
   }
   return range;
