@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -21,7 +22,7 @@ struct Outline {
                  -std::numeric_limits<double>::infinity()};
 };
 
-/// Finds walls near a point, a box or a ray among many: a binary tree of upright boxes around them
+/// Finds walls near a point or in a box among many: a binary tree of upright boxes around them
 /// (J. H. Clark, "Hierarchical geometric models for visible surface algorithms", 1976). What it
 /// returns does not depend on the shape of the tree.
 class WallTree {
@@ -43,13 +44,11 @@ class WallTree {
   template <class Distance>
   double nearest(hal::Vec2 point, const Distance& distance) const;
 
-  /// The smallest hit(wall) of the walls that a ray may meet; infinite: there are none.
-  /// @param direction  unit vector
-  /// @param hit  distance along the ray, m; infinite: it misses. Not below the distance to the
-  ///   wall's outline.
-  /// @param reach  m; hits beyond it may be missed.
-  template <class Hit>
-  double first(hal::Vec2 origin, hal::Vec2 direction, double reach, const Hit& hit) const;
+  /// Calls visit(wall) for the walls, those in nearer parts of the tree first.
+  /// @param skips  skips(outline, distance): whether the walls in an outline, which is so far from
+  ///   `point` [m], are left out
+  template <class Skips, class Visit>
+  void visit(hal::Vec2 point, const Skips& skips, const Visit& visit) const;
 
  private:
   static constexpr std::uint32_t kLeaf = 4;    ///< Most walls of a leaf.
@@ -59,7 +58,7 @@ class WallTree {
   /// An inner node's children are the next node and `other`.
   struct Node {
     Outline outline;
-    std::uint32_t other = 0;  ///< 0: a leaf.
+    std::uint32_t other = 0;             ///< 0: a leaf.
     std::uint32_t first = 0, count = 0;  ///< In order_, of a leaf.
   };
   void build(std::span<const Outline> outlines, std::uint32_t first, std::uint32_t count);
@@ -74,21 +73,18 @@ class WallTree {
   std::vector<std::uint32_t> order_;
 };
 
-/// Visits the nearer child first, and no node that cannot have less than was found.
-template <class Distance>
-double WallTree::nearest(hal::Vec2 point, const Distance& distance_to) const {
-  double best = std::numeric_limits<double>::infinity();
-  if (is_empty()) return best;
+template <class Skips, class Visit>
+void WallTree::visit(hal::Vec2 point, const Skips& skips, const Visit& visit) const {
+  if (is_empty()) return;
   std::array<std::pair<double, std::uint32_t>, kDeepest> open;
   std::size_t depth = 0;
-  open[depth++] = {0.0, 0};
+  open[depth++] = {distance(nodes_.front().outline, point), 0};
   while (depth > 0) {
-    const auto [bound, index] = open[--depth];
-    if (bound - kDoubt > best) continue;
+    const auto [away, index] = open[--depth];
     const Node& node = nodes_[index];
+    if (skips(node.outline, away)) continue;
     if (node.other == 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-        best = std::min(best, distance_to(order_[i]));
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) visit(order_[i]);
       continue;
     }
     std::pair near{distance(nodes_[index + 1].outline, point), index + 1};
@@ -97,43 +93,14 @@ double WallTree::nearest(hal::Vec2 point, const Distance& distance_to) const {
     open[depth++] = far;
     open[depth++] = near;
   }
-  return best;
 }
 
-template <class Hit>
-double WallTree::first(hal::Vec2 origin, hal::Vec2 direction, double reach, const Hit& hit) const {
+template <class Distance>
+double WallTree::nearest(hal::Vec2 point, const Distance& distance_to) const {
   double best = std::numeric_limits<double>::infinity();
-  if (is_empty()) return best;
-  const hal::Vec2 inverse{1 / direction.x, 1 / direction.y};
-  // Where the ray enters an outline; infinite: it does not. A comparison with NaN, of a ray along a
-  // side, leaves the interval as it is.
-  const auto entry = [&](const Outline& outline) {
-    const double x0 = (outline.low.x - kDoubt - origin.x) * inverse.x;
-    const double x1 = (outline.high.x + kDoubt - origin.x) * inverse.x;
-    const double y0 = (outline.low.y - kDoubt - origin.y) * inverse.y;
-    const double y1 = (outline.high.y + kDoubt - origin.y) * inverse.y;
-    const double from = std::max(std::max(0.0, std::min(x0, x1)), std::min(y0, y1));
-    const double to = std::min(std::min(reach, std::max(x0, x1)), std::max(y0, y1));
-    return from > to ? std::numeric_limits<double>::infinity() : from;
-  };
-  std::array<std::pair<double, std::uint32_t>, kDeepest> open;
-  std::size_t depth = 0;
-  open[depth++] = {entry(nodes_.front().outline), 0};
-  while (depth > 0) {
-    const auto [bound, index] = open[--depth];
-    if (bound == std::numeric_limits<double>::infinity() || bound - kDoubt > best) continue;
-    const Node& node = nodes_[index];
-    if (node.other == 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-        best = std::min(best, hit(order_[i]));
-      continue;
-    }
-    std::pair near{entry(nodes_[index + 1].outline), index + 1};
-    std::pair far{entry(nodes_[node.other].outline), node.other};
-    if (far.first < near.first) std::swap(near, far);
-    open[depth++] = far;
-    open[depth++] = near;
-  }
+  visit(
+      point, [&](const Outline& /*outline*/, double away) { return away - kDoubt > best; },
+      [&](std::uint32_t wall) { best = std::min(best, distance_to(wall)); });
   return best;
 }
 

@@ -1,11 +1,11 @@
 #include "sim/sensing/ray_fan.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "sim/physics/wall_tree.h"
 #include "sim/sensing/sector_query.h"
 
 namespace sim::sensing {
@@ -14,6 +14,8 @@ namespace {
 using hal::Vec2;
 using physics::Shape;
 
+constexpr double kMiss = std::numeric_limits<double>::infinity();
+constexpr double kTurn = 4;
 /// m; nearer than this a shape may be seen under any angle.
 constexpr double kNear = 1e-3;
 /// By this a shape's limits are widened: far above what rounding does at a distance of kNear.
@@ -21,38 +23,44 @@ constexpr double kDoubt = 1e-6;
 
 double cross_of(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// The half lengths of an upright box around a shape, along its axes.
-Vec2 half_of(const Shape& shape) {
-  return shape.kind == Shape::Kind::kBox ? shape.half : Vec2{shape.radius, shape.radius};
-}
-
-}  // namespace
-
-RayFan::RayFan(const std::vector<double>& headings)
-    : directions_(headings.size()), in_order_(headings.size()) {
-  for (const double heading : headings) rays_.push_back(unit(heading));
-  std::iota(in_order_.begin(), in_order_.end(), 0U);
-  std::ranges::stable_sort(in_order_, {}, [this](std::uint32_t i) { return number_of(rays_[i]); });
-  for (const std::uint32_t i : in_order_) numbers_.push_back(number_of(rays_[i]));
-}
-
-/// 0 along x, 1 along y, and so on: the share of the way around a square on its corner.
-double RayFan::number_of(Vec2 direction) {
+/// A number that grows with a direction's angle, without trigonometry: 0 along x, 1 along y, and so
+/// on; the share of the way around a square on its corner. 0 .. kTurn
+double number_of(Vec2 direction) {
   const double share = direction.y / (std::abs(direction.x) + std::abs(direction.y));
   if (direction.x < 0) return 2 - share;
   return direction.y < 0 ? kTurn + share : share;
 }
 
-/// The angles of the two outermost corners of the box around a shape. Seen from outside, corners
-/// are within half a turn, so that cross products put them in order.
-RayFan::Seen RayFan::seen(const Shape& shape, Vec2 origin) const {
-  const Vec2 half = half_of(shape);
-  const Vec2 along = half.x * shape.axis;
-  const Vec2 across = half.y * Vec2{-shape.axis.y, shape.axis.x};
-  const Vec2 centre = shape.centre - origin;
-  const bool is_inside = std::abs(hal::dot(centre, shape.axis)) <= half.x + kNear &&
-                         std::abs(cross_of(shape.axis, centre)) <= half.y + kNear;
-  if (is_inside) return {};
+}  // namespace
+
+RayFan::RayFan(const std::vector<double>& headings)
+    : directions_(headings.size()), found_(headings.size()), places_(headings.size()) {
+  std::vector<Vec2> rays;
+  for (const double heading : headings) rays.push_back(unit(heading));
+  std::iota(places_.begin(), places_.end(), std::size_t{0});
+  std::ranges::stable_sort(places_, {}, [&](std::size_t i) { return number_of(rays[i]); });
+  for (const std::size_t i : places_) {
+    rays_.push_back(rays[i]);
+    numbers_.push_back(number_of(rays[i]));
+  }
+}
+
+RayFan::Block RayFan::block_around(const Shape& shape) {
+  const bool is_box = shape.kind == Shape::Kind::kBox;
+  return {shape.centre, is_box ? shape.axis : Vec2{1, 0},
+          is_box ? shape.half : Vec2{shape.radius, shape.radius}};
+}
+
+/// The rays between the two outermost corners. Seen from outside, corners are within half a turn,
+/// so that cross products put them in order.
+RayFan::Parts RayFan::rays_to(const Block& block) const {
+  const Part all{0, rays_.size()};
+  const Vec2 centre = block.centre - Vec2{origin_.x, origin_.y};
+  if (std::abs(hal::dot(centre, block.axis)) <= block.half.x + kNear &&
+      std::abs(cross_of(block.axis, centre)) <= block.half.y + kNear)
+    return {all, Part{}};
+  const Vec2 along = block.half.x * block.axis;
+  const Vec2 across = block.half.y * Vec2{-block.axis.y, block.axis.x};
   const std::array corners{centre + along + across, centre + along - across,
                            centre - along + across, centre - along - across};
   Vec2 right = corners[0], left = corners[0];
@@ -61,46 +69,70 @@ RayFan::Seen RayFan::seen(const Shape& shape, Vec2 origin) const {
     if (cross_of(left, corner) > 0) left = corner;
   }
   const Vec2 back{ahead_.x, -ahead_.y};
-  Seen angles{number_of(turned(right, back)) - kDoubt, number_of(turned(left, back)) + kDoubt};
-  if (angles.to < angles.from) angles.to += kTurn;
-  return angles;
+  const double from = number_of(turned(right, back)) - kDoubt;
+  const double to = number_of(turned(left, back)) + kDoubt;
+  const auto first = [&](double number) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(numbers_, number) - numbers_.begin());
+  };
+  if (from < 0) return {Part{0, first(to)}, Part{first(from + kTurn), rays_.size()}};
+  if (to > kTurn) return {Part{0, first(to - kTurn)}, Part{first(from), rays_.size()}};
+  if (from > to) return {Part{0, first(to)}, Part{first(from), rays_.size()}};
+  return {Part{first(from), first(to)}, Part{}};
 }
 
-void RayFan::test(const Shape& shape, Vec2 origin, std::vector<double>& ranges) const {
-  const Seen angles = seen(shape, origin);
-  const std::size_t count = numbers_.size();
-  auto next = static_cast<std::size_t>(
-      std::ranges::lower_bound(numbers_, std::max(angles.from, 0.0)) - numbers_.begin());
-  double turns = 0;
-  if (angles.from < 0) {  // begins with the last rays of the turn before
-    next = static_cast<std::size_t>(std::ranges::lower_bound(numbers_, angles.from + kTurn) -
-                                    numbers_.begin());
-    turns = -kTurn;
-  }
-  for (std::size_t tested = 0; tested < count; ++tested, ++next) {
-    if (next == count) {
-      next = 0;
-      turns += kTurn;
+void RayFan::test(const Shape& shape) {
+  for (const auto& [first, end] : rays_to(block_around(shape))) {
+    for (std::size_t ray = first; ray < end; ++ray) {
+      const auto chord = inside(shape, {origin_.x, origin_.y}, directions_[ray]);
+      if (chord && chord->to >= 0) found_[ray] = std::min(found_[ray], std::max(chord->from, 0.0));
     }
-    if (numbers_[next] + turns > angles.to) return;
-    const std::uint32_t ray = in_order_[next];
-    const auto chord = inside(shape, origin, directions_[ray]);
-    if (chord && chord->to >= 0) ranges[ray] = std::min(ranges[ray], std::max(chord->from, 0.0));
   }
 }
 
-std::vector<double> RayFan::ranges(const hal::Vec3& origin, Vec2 ahead,
-                                   std::span<const Shape> shapes,
-                                   std::span<const std::size_t> candidates, hal::AgentId own) {
+/// Whether all rays that may meet a block end before it.
+bool RayFan::is_hidden(const Block& block, double distance) const {
+  for (const auto& [first, end] : rays_to(block)) {
+    for (std::size_t ray = first; ray < end; ++ray)
+      if (found_[ray] > distance - kDoubt) return false;
+  }
+  return true;
+}
+
+void RayFan::test_walls(const Proximity& proximity, double reach) {
+  const std::span<const Shape> walls = proximity.walls();
+  proximity.wall_tree().visit(
+      {origin_.x, origin_.y},
+      [&](const physics::Outline& outline, double distance) {
+        if (distance > reach + kDoubt) return true;
+        return is_hidden(
+            {0.5 * (outline.low + outline.high), {1, 0}, 0.5 * (outline.high - outline.low)},
+            distance);
+      },
+      [&](std::uint32_t i) {
+        if (origin_.z >= walls[i].z_low && origin_.z <= walls[i].z_high) test(walls[i]);
+      });
+}
+
+std::vector<double> RayFan::ranges(const hal::Vec3& origin, Vec2 ahead, double reach,
+                                   const Proximity& proximity, std::span<const Shape> shapes,
+                                   hal::AgentId own) {
+  origin_ = origin;
   ahead_ = ahead;
+  std::ranges::fill(found_, kMiss);
   for (std::size_t i = 0; i < rays_.size(); ++i) directions_[i] = turned(rays_[i], ahead);
-  std::vector<double> ranges(rays_.size(), std::numeric_limits<double>::infinity());
-  for (const std::size_t index : candidates) {
+  const bool has_many_walls = !proximity.wall_tree().is_empty();
+  if (has_many_walls) test_walls(proximity, reach);
+  const Region around{{origin.x - reach, origin.y - reach, origin.z},
+                      {origin.x + reach, origin.y + reach, origin.z}};
+  for (const std::size_t index :
+       has_many_walls ? proximity.moving_within(around) : proximity.within(around)) {
     const Shape& shape = shapes[index];
     if (shape.owner == own && own != hal::AgentId{}) continue;
     if (origin.z < shape.z_low || origin.z > shape.z_high) continue;
-    test(slice(shape, origin.z), {origin.x, origin.y}, ranges);
+    test(slice(shape, origin.z));
   }
+  std::vector<double> ranges(found_.size());
+  for (std::size_t i = 0; i < found_.size(); ++i) ranges[places_[i]] = found_[i];
   return ranges;
 }
 

@@ -52,11 +52,8 @@ std::optional<std::vector<double>> SimulatedScan::sample(hal::Time at) {
   const hal::Vec2 offset = turned({scan_.mount.position.x, scan_.mount.position.y}, ahead);
   const hal::Vec3 origin{body.x + offset.x, body.y + offset.y,
                          site_.world.position(site_.agent).z + scan_.mount.position.z};
-  const double reach = scan_.max_range;
-  const Region around{{origin.x - reach, origin.y - reach, origin.z},
-                      {origin.x + reach, origin.y + reach, origin.z}};
-  std::vector<double> ranges = rays_.ranges(origin, ahead, site_.world.shapes(),
-                                            site_.proximity().within(around), site_.agent);
+  std::vector<double> ranges = rays_.ranges(origin, ahead, scan_.max_range, site_.proximity(),
+                                            site_.world.shapes(), site_.agent);
   for (double& range : ranges) range = reading(range);
   return ranges;
 }
