@@ -60,8 +60,8 @@ TEST(WallTree, FindsWhatMayBeInABox) {
     EXPECT_TRUE(std::ranges::is_sorted(found));
     for (std::uint32_t i = 0; i < walls.size(); ++i) {
       const hal::Vec2 at = walls[i].centre;
-      if (at.x > low.x && at.x < high.x && at.y > low.y && at.y < high.y)
-        EXPECT_EQ(std::ranges::count(found, i), 1);
+      const bool is_in = at.x > low.x && at.x < high.x && at.y > low.y && at.y < high.y;
+      EXPECT_TRUE(!is_in || std::ranges::count(found, i) == 1);
     }
   }
 }
