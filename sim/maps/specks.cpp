@@ -11,7 +11,7 @@ struct Stretch {
 };
 
 /// A group of stretches that touch each other; the one with index `parent` stands for it.
-struct Group {
+struct Cluster {
   std::uint32_t parent = 0;
   std::uint32_t left = 0, right = 0, low = 0, high = 0;  ///< `right`, `high`: behind the last.
 
@@ -21,9 +21,9 @@ struct Group {
 };
 
 /// Finds groups by their stretches (R. Sedgewick, K. Wayne, "Algorithms", 4th ed. 2011, 1.5).
-class Groups {
+class Clusters {
  public:
-  explicit Groups(const SolidCells& cells) {
+  explicit Clusters(const SolidCells& cells) {
     std::size_t before = 0;  // the first stretch of the row before
     for (std::size_t y = 0; y < cells.height; ++y) {
       const std::size_t first = stretches_.size();
@@ -36,7 +36,7 @@ class Groups {
   std::size_t drop(SolidCells& cells, double shortest) {
     std::size_t dropped = 0;
     for (std::uint32_t i = 0; i < stretches_.size(); ++i) {
-      if (!groups_[root(i)].is_shorter_than(shortest)) continue;
+      if (!clusters_[root(i)].is_shorter_than(shortest)) continue;
       if (root(i) == i) ++dropped;
       const auto row =
           cells.solid.begin() + static_cast<std::ptrdiff_t>(stretches_[i].row * cells.width);
@@ -54,7 +54,7 @@ class Groups {
       const auto from = static_cast<std::uint32_t>(x);
       while (x < cells.width && row[x] != 0) ++x;
       const auto to = static_cast<std::uint32_t>(x);
-      groups_.push_back(
+      clusters_.push_back(
           {static_cast<std::uint32_t>(stretches_.size()), from, to, number, number + 1});
       stretches_.push_back({number, from, to});
     }
@@ -75,29 +75,30 @@ class Groups {
     b = root(b);
     if (a == b) return;
     if (b < a) std::swap(a, b);
-    Group& kept = groups_[a];
-    const Group& other = groups_[b];
+    Cluster& kept = clusters_[a];
+    const Cluster& other = clusters_[b];
     kept.left = std::min(kept.left, other.left);
     kept.right = std::max(kept.right, other.right);
     kept.low = std::min(kept.low, other.low);
     kept.high = std::max(kept.high, other.high);
-    groups_[b].parent = a;
+    clusters_[b].parent = a;
   }
 
   std::uint32_t root(std::uint32_t i) {
-    while (groups_[i].parent != i) i = groups_[i].parent = groups_[groups_[i].parent].parent;
+    while (clusters_[i].parent != i)
+      i = clusters_[i].parent = clusters_[clusters_[i].parent].parent;
     return i;
   }
 
   std::vector<Stretch> stretches_;
-  std::vector<Group> groups_;
+  std::vector<Cluster> clusters_;
 };
 
 }  // namespace
 
 std::size_t drop_specks(SolidCells& cells, double shortest) {
   if (shortest <= 1) return 0;
-  return Groups(cells).drop(cells, shortest);
+  return Clusters(cells).drop(cells, shortest);
 }
 
 }  // namespace sim::maps
