@@ -41,7 +41,7 @@ class MapPlacement {
       : file_(file),
         map_(map),
         ground_(ground),
-        axis_(hal::math::cos(file.yaw), hal::math::sin(file.yaw)) {}
+        axis_{hal::math::cos(file.yaw), hal::math::sin(file.yaw)} {}
 
   StaticBox wall(const maps::CellRectangle& cells) const {
     const double edge = file_.resolution;

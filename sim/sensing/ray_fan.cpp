@@ -33,9 +33,13 @@ double number_of(Vec2 direction) {
 
 }  // namespace
 
-RayFan::RayFan(const std::vector<double>& headings)
-    : directions_(headings.size()), found_(headings.size()), places_(headings.size()) {
+RayFan::RayFan(const std::vector<double>& headings, double reach)
+    : directions_(headings.size()),
+      found_(headings.size()),
+      places_(headings.size()),
+      reach_(reach) {
   std::vector<Vec2> rays;
+  rays.reserve(headings.size());
   for (const double heading : headings) rays.push_back(unit(heading));
   std::iota(places_.begin(), places_.end(), std::size_t{0});
   std::ranges::stable_sort(places_, {}, [&](std::size_t i) { return number_of(rays[i]); });
@@ -98,12 +102,12 @@ bool RayFan::is_hidden(const Block& block, double distance) const {
   return true;
 }
 
-void RayFan::test_walls(const Proximity& proximity, double reach) {
+void RayFan::test_walls(const Proximity& proximity) {
   const std::span<const Shape> walls = proximity.walls();
   proximity.wall_tree().visit(
       {origin_.x, origin_.y},
       [&](const physics::Outline& outline, double distance) {
-        if (distance > reach + kDoubt) return true;
+        if (distance > reach_ + kDoubt) return true;
         return is_hidden(
             {0.5 * (outline.low + outline.high), {1, 0}, 0.5 * (outline.high - outline.low)},
             distance);
@@ -113,17 +117,16 @@ void RayFan::test_walls(const Proximity& proximity, double reach) {
       });
 }
 
-std::vector<double> RayFan::ranges(const hal::Vec3& origin, Vec2 ahead, double reach,
-                                   const Proximity& proximity, std::span<const Shape> shapes,
-                                   hal::AgentId own) {
+std::vector<double> RayFan::ranges(const hal::Vec3& origin, Vec2 ahead, const Proximity& proximity,
+                                   std::span<const Shape> shapes, hal::AgentId own) {
   origin_ = origin;
   ahead_ = ahead;
   std::ranges::fill(found_, kMiss);
   for (std::size_t i = 0; i < rays_.size(); ++i) directions_[i] = turned(rays_[i], ahead);
   const bool has_many_walls = !proximity.wall_tree().is_empty();
-  if (has_many_walls) test_walls(proximity, reach);
-  const Region around{{origin.x - reach, origin.y - reach, origin.z},
-                      {origin.x + reach, origin.y + reach, origin.z}};
+  if (has_many_walls) test_walls(proximity);
+  const Region around{{origin.x - reach_, origin.y - reach_, origin.z},
+                      {origin.x + reach_, origin.y + reach_, origin.z}};
   for (const std::size_t index :
        has_many_walls ? proximity.moving_within(around) : proximity.within(around)) {
     const Shape& shape = shapes[index];

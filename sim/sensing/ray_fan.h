@@ -20,15 +20,14 @@ namespace sim::sensing {
 class RayFan {
  public:
   /// @param headings  rad, in the body's frame, in any order
-  explicit RayFan(const std::vector<double>& headings);
+  /// @param reach  m; ranges beyond it may be too large.
+  RayFan(const std::vector<double>& headings, double reach);
 
   /// The same as ray_ranges(), to the last bit, with the fan's rays turned to `ahead`.
   /// @param origin  m, world frame. @param ahead  unit vector of the body's x axis, world frame.
-  /// @param reach  m; ranges beyond it may be too large. @param own  shapes of this agent are
-  /// transparent. Not by two threads at a time.
-  std::vector<double> ranges(const hal::Vec3& origin, hal::Vec2 ahead, double reach,
-                             const Proximity& proximity, std::span<const physics::Shape> shapes,
-                             hal::AgentId own);
+  /// @param own  shapes of this agent are transparent. Not by two threads at a time.
+  std::vector<double> ranges(const hal::Vec3& origin, hal::Vec2 ahead, const Proximity& proximity,
+                             std::span<const physics::Shape> shapes, hal::AgentId own);
 
  private:
   /// An upright box, or one around a shape, seen from above. m
@@ -43,7 +42,7 @@ class RayFan {
   Parts rays_to(const Block& block) const;
 
   void test(const physics::Shape& shape);
-  void test_walls(const Proximity& proximity, double reach);
+  void test_walls(const Proximity& proximity);
   bool is_hidden(const Block& block, double distance) const;
 
   // Of the rays in the order of their angles in the body's frame:
@@ -53,6 +52,7 @@ class RayFan {
   std::vector<double> found_;          ///< Ranges of the last search, m.
   std::vector<std::size_t> places_;    ///< Places among the headings.
 
+  double reach_;      ///< m
   hal::Vec3 origin_;  ///< Of the last search.
   hal::Vec2 ahead_{1, 0};
 };

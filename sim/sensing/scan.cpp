@@ -27,7 +27,7 @@ class SimulatedScan final : public hal::node::devices::Sensor {
         site_(site),
         random_(site.run_seed, fmt::format("{}/{}", site.agent_name, scan.mount.name)),
         instants_(scan.period, random_.uniform()),
-        rays_(headings_on_body(scan)) {}
+        rays_(headings_on_body(scan), scan.max_range) {}
 
   hal::Channel describe() const override { return scan_.describe(); }
   std::optional<std::vector<double>> sample(hal::Time at) override;
@@ -52,8 +52,8 @@ std::optional<std::vector<double>> SimulatedScan::sample(hal::Time at) {
   const hal::Vec2 offset = turned({scan_.mount.position.x, scan_.mount.position.y}, ahead);
   const hal::Vec3 origin{body.x + offset.x, body.y + offset.y,
                          site_.world.position(site_.agent).z + scan_.mount.position.z};
-  std::vector<double> ranges = rays_.ranges(origin, ahead, scan_.max_range, site_.proximity(),
-                                            site_.world.shapes(), site_.agent);
+  std::vector<double> ranges =
+      rays_.ranges(origin, ahead, site_.proximity(), site_.world.shapes(), site_.agent);
   for (double& range : ranges) range = reading(range);
   return ranges;
 }

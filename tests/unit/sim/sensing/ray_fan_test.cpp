@@ -44,7 +44,7 @@ void compare(int walls, const std::vector<double>& headings, std::uint64_t seed)
   hal::RandomStream random(seed, "yard");
   const auto world = yard(walls, random);
   const Proximity proximity(*world);
-  RayFan fan(headings);
+  RayFan fan(headings, kReach);
   std::vector<std::size_t> all(world->shapes().size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
   std::size_t hits = 0;
@@ -55,8 +55,7 @@ void compare(int walls, const std::vector<double>& headings, std::uint64_t seed)
     std::vector<hal::Vec2> directions;
     for (const double heading : headings) directions.push_back(turned(unit(heading), ahead));
     const auto expected = within_reach(ray_ranges(origin, directions, world->shapes(), all, own));
-    EXPECT_EQ(within_reach(fan.ranges(origin, ahead, kReach, proximity, world->shapes(), own)),
-              expected);
+    EXPECT_EQ(within_reach(fan.ranges(origin, ahead, proximity, world->shapes(), own)), expected);
     for (const double range : expected) hits += range <= kReach ? 1 : 0;
   }
   EXPECT_GT(hits, headings.size());
@@ -92,9 +91,8 @@ TEST(RayFan, FromInsideAWallEverythingIsAtZero) {
     for (int i = 0; i < more; ++i)
       world.add_wall({.name = "far", .centre = {5.0 + i, 0, 0.5}, .size = {0.5, 0.5, 1}});
     const Proximity proximity(world);
-    RayFan fan(circle(90, 0));
-    for (const double range :
-         fan.ranges({0.3, 0.2, 0.5}, {1, 0}, kReach, proximity, world.shapes(), {}))
+    RayFan fan(circle(90, 0), kReach);
+    for (const double range : fan.ranges({0.3, 0.2, 0.5}, {1, 0}, proximity, world.shapes(), {}))
       EXPECT_EQ(range, 0);
   }
 }
