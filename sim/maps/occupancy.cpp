@@ -52,7 +52,8 @@ MapFile read_keys(Mapping& in, const std::filesystem::path& folder) {
   map.occupied_thresh =
       in.number({"occupied_thresh", "Above it a cell is occupied.", "0.65"}, "1", kShare);
   map.free_thresh = in.number({"free_thresh", "Below it a cell is free.", "0.25"}, "1", kShare);
-  if (map.free_thresh > map.occupied_thresh)
+  const bool is_read = map.occupied_thresh > 0;  // 0 stands for a mistake, too
+  if (is_read && map.free_thresh > map.occupied_thresh)
     in.mistake("free_thresh", fmt::format("{} is above occupied_thresh, {}", map.free_thresh,
                                           map.occupied_thresh));
   map.mode = static_cast<Mode>(in.choice({"mode", "How levels become occupancies.", "trinary"},

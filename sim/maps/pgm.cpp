@@ -29,6 +29,7 @@ int next_word(std::istream& in) {
 /// A decimal number. The character after it is read, too. @param what  for the message
 std::uint32_t number(std::istream& in, const char* what, std::uint32_t highest) {
   int c = next_word(in);
+  if (c == EOF) throw std::runtime_error(fmt::format("{}: the file ends there", what));
   if (!is_digit(c)) throw std::runtime_error(fmt::format("{}: not a number", what));
   std::uint64_t value = 0;
   for (; is_digit(c); c = in.get()) {

@@ -144,8 +144,8 @@ std::vector<StaticBox> walls_of(WorldMap& map, const Ground& ground) {
 void map_keys(Fields& io, std::vector<WorldMap>& maps, agents::SimulationConfig& config) {
   const Key key{"map",
                 "Maps of floors, whose occupied cells are walls. One map may stand there without a "
-                "list: {file: office.yaml}.",
-                "[{file: office.yaml}]"};
+                "list: {file: maps/office.yaml}.",
+                "[{file: maps/office.yaml}]"};
   const auto one = [&](Fields& each, WorldMap& map) {
     keys_of(each, map, config.materials);
     if (each.reading() != nullptr) take(each, map, config);

@@ -114,7 +114,8 @@ TEST(Pgm, SaysWhatIsBroken) {
   EXPECT_EQ(message(folder.write("a.pgm", "P5 3 2 255\nabcd")), "ends in row 2");
   EXPECT_EQ(message(folder.write("b.pgm", "P2 2 1 7 5 8")),
             "row 1: a level of 8, above the maximum of 7");
-  EXPECT_EQ(message(folder.write("c.pgm", "P2 2 2 7 5 6 7")), "row 2: not a number");
+  EXPECT_EQ(message(folder.write("c.pgm", "P2 2 2 7 5 6 7")), "row 2: the file ends there");
+  EXPECT_EQ(message(folder.write("k.pgm", "P2 2 2 7 5 x")), "row 1: not a number");
   EXPECT_EQ(message(folder.write("d.pgm", "P5 0 2 255\n")), "has no pixels");
   EXPECT_EQ(message(folder.write("e.pgm", "P5 99999 99999 255\n")),
             "has 99999 x 99999 pixels, at most 268435456 allowed");
