@@ -25,7 +25,7 @@ set(package lib/cmake/baraka)
 # A program that was just built finds what an installed one does.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/${baraka_share})
 foreach(folder config/robots config/radios config/scenarios config/campaigns config/fleets config/hardware
-  config/tasks config/dds config/antennas config/viewers templates idl)
+  config/tasks config/dds config/antennas config/maps config/viewers templates idl)
   get_filename_component(name ${folder} NAME)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/${baraka_share}/${name}
     SYMBOLIC)

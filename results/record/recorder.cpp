@@ -10,6 +10,7 @@
 #include "results/record/air_log.h"
 #include "results/record/observables.h"
 #include "results/record/schema.h"
+#include "sim/agents/drawn_bodies.h"
 
 namespace results::record {
 namespace {
@@ -89,6 +90,7 @@ void Recorder::describe(const sim::agents::SimulationConfig& config) {
   }
   Statement insert_wall(database_, "INSERT INTO walls VALUES (?, ?, ?, ?, ?, ?)");
   for (const sim::physics::StaticBox& wall : config.walls) {
+    if (!sim::agents::stands_on(*config.world.ground, wall)) continue;
     insert_wall.run(wall.name, wall.centre.x, wall.centre.y, wall.yaw, wall.size.x, wall.size.y);
   }
   std::vector<std::pair<hal::AgentId, std::string>> names;

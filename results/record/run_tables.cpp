@@ -34,7 +34,7 @@ std::vector<Table> run_tables() {
          "delay of the end after that; without a state or condition: the time of the end"},
         {"result", "TEXT NOT NULL", "", "result of the run in that case"}}},
       {"walls",
-       "static boxes, seen from above",
+       "static boxes that stand on the ground, also those of maps, seen from above",
        {{"name", "TEXT NOT NULL", "", "for display"},
         {"x_m", "REAL NOT NULL", "m", "middle"},
         {"y_m", "REAL NOT NULL", "m", "middle"},

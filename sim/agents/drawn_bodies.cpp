@@ -64,4 +64,10 @@ hal::DrawnBody drawn_body(const physics::StaticBox& wall) {
           {{.size = wall.size, .centre = wall.centre, .yaw = wall.yaw}}};
 }
 
+bool stands_on(const Ground& ground, const physics::StaticBox& wall) {
+  constexpr double kSunk = 1e-6;  // m, by rounding
+  const double above = wall.centre.z - ground.height({wall.centre.x, wall.centre.y});
+  return above - wall.size.z / 2 <= kSunk && above + wall.size.z / 2 > 0;
+}
+
 }  // namespace sim::agents

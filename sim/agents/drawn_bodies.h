@@ -12,4 +12,7 @@ hal::DrawnBody drawn_body(const AgentConfig& agent);
 /// The same for a wall, in the world frame.
 hal::DrawnBody drawn_body(const physics::StaticBox& wall);
 
+/// Whether a wall stands on the ground, not on another floor: plans show only those that do.
+bool stands_on(const Ground& ground, const physics::StaticBox& wall);
+
 }  // namespace sim::agents

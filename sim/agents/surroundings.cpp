@@ -21,6 +21,13 @@ double distance(hal::Vec2 point, const physics::Shape& box) {
   return std::sqrt(x * x + y * y);
 }
 
+/// Whether a wall stands on the ground: not on another floor.
+bool stands_on(const Ground& ground, const physics::Shape& wall) {
+  constexpr double kSunk = 1e-6;  // m, by rounding
+  const double height = ground.height(wall.centre);
+  return wall.z_low <= height + kSunk && wall.z_high > height;
+}
+
 }  // namespace
 
 Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agents,
@@ -35,7 +42,8 @@ Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agent
   }
   known_.resize(index_.size());
   for (const physics::Shape& shape : world.shapes())
-    if (shape.is_static()) walls_.push_back(shape);
+    if (shape.is_static() && stands_on(*world.config().ground, shape)) walls_.push_back(shape);
+  if (walls_.size() >= physics::WallTree::kFewestWalls) wall_tree_ = physics::WallTree(walls_);
 }
 
 const sensing::Proximity& Scene::proximity() {
@@ -118,6 +126,8 @@ const BodyState& Scene::body(hal::AgentId agent, hal::Time now) {
 }
 
 double Scene::clearance(hal::Vec2 place) const {
+  if (!wall_tree_.is_empty())
+    return wall_tree_.nearest(place, [&](std::uint32_t i) { return distance(place, walls_[i]); });
   double metres = std::numeric_limits<double>::infinity();
   for (const physics::Shape& wall : walls_) metres = std::min(metres, distance(place, wall));
   return metres;

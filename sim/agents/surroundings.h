@@ -11,6 +11,7 @@
 #include "sim/core/cell_grid.h"
 #include "sim/core/event_queue.h"
 #include "sim/core/ground.h"
+#include "sim/physics/wall_tree.h"
 #include "sim/physics/world.h"
 #include "sim/radio/channel/ports.h"
 #include "sim/sensing/proximity.h"
@@ -53,7 +54,8 @@ class Scene {
 
   const physics::World& world_;
   std::vector<physics::Shape> walls_;
-  std::vector<Known> known_;  ///< By address.
+  physics::WallTree wall_tree_;  ///< Of the walls, if they are many.
+  std::vector<Known> known_;     ///< By address.
   sensing::Proximity proximity_;
   std::vector<sensing::AgentPosition> positions_;
   const Paths* paths_;

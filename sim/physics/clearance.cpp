@@ -94,6 +94,10 @@ void Clearance::measure_between(Ball& a, Ball& b) const {
 }
 
 double Clearance::gap_to_walls(const Ball& ball) const {
+  if (!tree_.is_empty()) {
+    const auto to_wall = [&](std::uint32_t i) { return distance(ball.centre, walls_[i]); };
+    return tree_.nearest({ball.centre.x, ball.centre.y}, to_wall) - ball.radius;
+  }
   double gap = std::numeric_limits<double>::infinity();
   for (const Shape& wall : walls_) gap = std::min(gap, distance(ball.centre, wall) - ball.radius);
   return gap;

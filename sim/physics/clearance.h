@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/physics/object.h"
+#include "sim/physics/wall_tree.h"
 
 namespace sim::physics {
 
@@ -15,8 +16,15 @@ namespace sim::physics {
 /// of Rigid Body Systems", 1996), with distances instead of times.
 class Clearance {
  public:
-  /// Adds a wall of the world.
+  /// Adds a wall of the world. @pre nothing was measured yet.
   void add_wall(const Shape& wall) { walls_.push_back(wall); }
+
+  /// Prepares the search for walls, if they are many. @pre all were added.
+  void settle() {
+    if (walls_.size() >= WallTree::kFewestWalls) tree_ = WallTree(walls_);
+  }
+  /// Of the walls in the order in which they were added; empty: they are few.
+  const WallTree& tree() const { return tree_; }
 
   /// The cost of a measurement is quadratic in the number of objects: beyond this number the broad
   /// phase is cheaper.
@@ -40,6 +48,7 @@ class Clearance {
   double gap_to_walls(const Ball& ball) const;
 
   std::vector<Shape> walls_;
+  WallTree tree_;
   std::vector<Ball> balls_;  ///< In the order of the objects.
   bool crowded_ = true;      ///< Some sphere has no free distance.
 };

@@ -73,6 +73,7 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 
 void ContactPass::run(hal::Time now) {
   now_ = now;
+  if (!has_settled_) settle();
   forget();
   if (!Clearance::measures(objects_))
     for (const AwakeList::Member i : awake_.members()) zones_.place(i);
@@ -80,6 +81,7 @@ void ContactPass::run(hal::Time now) {
     dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
       static_cast<ContactPass*>(self)->touch(a, b);
     });
+    touch_walls();
   }
   for (const AwakeList::Member i : awake_.members()) {
     const Object& object = *objects_[i];
@@ -87,6 +89,35 @@ void ContactPass::run(hal::Time now) {
       object.drivetrain->touch_ground(world_);
     else
       stand_on_ground(object);
+  }
+}
+
+ContactPass::~ContactPass() {
+  if (!walls_are_apart_) return;  // then they are the space's
+  for (const dGeomID wall : walls_) dGeomDestroy(wall);
+}
+
+/// Takes many walls out of the space, whose search takes time for all that is in it.
+void ContactPass::settle() {
+  has_settled_ = true;
+  clearance_.settle();
+  walls_are_apart_ = !clearance_.tree().is_empty();
+  if (!walls_are_apart_) return;
+  for (const dGeomID wall : walls_) dSpaceRemove(world_.space(), wall);
+}
+
+/// After the space, so that what was woken by a push meets walls in the same step.
+void ContactPass::touch_walls() {
+  if (!walls_are_apart_) return;
+  for (const AwakeList::Member i : awake_.members()) {
+    for (const dGeomID geometry : objects_[i]->geometries) {
+      if (dGeomIsEnabled(geometry) == 0) continue;
+      std::array<dReal, 6> bounds{};  // low and high x, y, z
+      dGeomGetAABB(geometry, bounds.data());
+      near_.clear();
+      clearance_.tree().overlapping({{bounds[0], bounds[2]}, {bounds[1], bounds[3]}}, near_);
+      for (const std::uint32_t wall : near_) touch(walls_[wall], geometry);
+    }
   }
 }
 

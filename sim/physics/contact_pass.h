@@ -20,6 +20,10 @@ class ContactPass {
         zones_(objects),
         ground_friction_(ground_friction) {}
 
+  ~ContactPass();
+  ContactPass(const ContactPass&) = delete;
+  ContactPass& operator=(const ContactPass&) = delete;
+
   /// @param now  start of the step. Contacts between objects come before those with the ground,
   /// because an object that is woken by a push must stand on the ground in the same step.
   void run(hal::Time now);
@@ -27,8 +31,11 @@ class ContactPass {
   /// Reports that an object has fallen asleep in the step after the last run().
   void rest(std::size_t object);
 
-  /// Adds a wall of the world.
-  void add_wall(const Shape& wall) { clearance_.add_wall(wall); }
+  /// Adds a wall of the world, before the first run().
+  void add_wall(dGeomID geometry, const Shape& wall) {
+    walls_.push_back(geometry);
+    clearance_.add_wall(wall);
+  }
 
   /// Whether an object touched nothing but the ground in the last run().
   bool is_alone(std::size_t object) const { return touched_[object] == Touched{}; }
@@ -44,6 +51,8 @@ class ContactPass {
 
   void forget();
   bool count_rest(std::size_t object);
+  void settle();
+  void touch_walls();
   void touch(dGeomID a, dGeomID b);
   void record(const Solid& self, const Solid& other);
   void note(ContactRecord& record) const;
@@ -58,6 +67,10 @@ class ContactPass {
   double ground_friction_;
   ContactIslands islands_;
   Clearance clearance_;
+  std::vector<dGeomID> walls_;
+  bool has_settled_ = false;  ///< After the first run().
+  bool walls_are_apart_ = false;
+  std::vector<std::uint32_t> near_;
   hal::Time now_{};
   double deepest_ = 0;
   /// Per object and kind: contact recorded in this step.

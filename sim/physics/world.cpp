@@ -304,9 +304,9 @@ World::World(const WorldConfig& config)
 World::~World() = default;
 
 void World::add_wall(const StaticBox& wall) {
-  implementation_->adopt(make_wall(implementation_->ode, wall),
-                         {Solid::Kind::kWall, 0, wall.friction}, nullptr);
-  implementation_->pass.add_wall(implementation_->shapes.back());
+  const dGeomID geometry = make_wall(implementation_->ode, wall);
+  implementation_->adopt(geometry, {Solid::Kind::kWall, 0, wall.friction}, nullptr);
+  implementation_->pass.add_wall(geometry, implementation_->shapes.back());
 }
 
 void World::add_mote(AgentId agent, const hal::node::devices::MoteDescription& mote,

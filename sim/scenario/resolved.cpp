@@ -1,11 +1,13 @@
 #include "sim/scenario/resolved.h"
 
 #include "sim/scenario/fields.h"
+#include "sim/scenario/map_section.h"
 
 namespace sim::scenario {
 namespace {
 
 void write(Writer& out, Scenario scenario) {
+  drop_map_walls(scenario);
   FieldWriter io(out);
   keys_of(io, scenario);
 }

@@ -52,8 +52,8 @@ void check_sections(Mapping& in, Scenario& scenario) {
 void keys_of(Fields& io, Scenario& scenario) {
   agents::SimulationConfig& config = scenario.simulation;
   run_keys(io, scenario);
-  io.inside({"world", "Walls, boxes, movables and the physics engine."}, [&](Fields& world) {
-    world_keys(world, config);
+  io.inside({"world", "Walls, boxes, maps, movables and the physics engine."}, [&](Fields& world) {
+    world_keys(world, config, scenario.maps);
     movables_key(world, scenario);
   });
   io.inside({"radio", "The radio of all agents."},

@@ -21,6 +21,7 @@
 #include "sim/scenario/plot_request.h"
 #include "sim/scenario/program.h"
 #include "sim/scenario/topic_traffic.h"
+#include "sim/scenario/world_map.h"
 
 namespace sim::scenario {
 
@@ -111,7 +112,8 @@ inline constexpr std::size_t kAgentsOfListedMessages = 100;
 struct Scenario {
   std::string name;  ///< `name:`, or the file's name without extension.
   agents::SimulationConfig simulation;
-  std::vector<Group> groups;  ///< In order of declaration.
+  std::vector<WorldMap> maps;  ///< Their boxes are the last of `simulation.walls`.
+  std::vector<Group> groups;   ///< In order of declaration.
   /// "file:line:column" of each movable, for those that the scenario describes itself.
   std::vector<std::string> movable_places;
   std::vector<Expectation> expectations;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/scenario/fields.h"
+#include "sim/scenario/map_section.h"
 #include "sim/scenario/material_keys.h"
 
 namespace sim::scenario {
@@ -56,14 +57,6 @@ void physics_keys(Fields& io, WorldConfig& c) {
            1, 1000, c.jam_robots);
 }
 
-/// Defaults from Sommer et al. 2011 (kBrickWall); docs/models.md, 9, lists others.
-void loss_keys(Fields& io, ObstacleLoss& c) {
-  io.quantity({"per_crossing", "Loss for each crossing, whatever the thickness.", "15 dB"}, "dB",
-              kRadioLoss, c.per_crossing);
-  io.number({"per_metre", "Further loss for each metre of the path inside.", "0.4 dB/m"}, "dB/m",
-            kRadioLoss, c.per_metre);
-}
-
 void keys_of(Fields& io, StaticBox& box, const agents::SimulationConfig& config) {
   io.text({"name", "Name of the wall or box in the results.", "north",
            "`wall` or `box` with its number"},
@@ -78,17 +71,7 @@ void keys_of(Fields& io, StaticBox& box, const agents::SimulationConfig& config)
   box.centre = {at.x, at.y, ground + box.size.z / 2};  // the box stands on the ground
   io.number({"yaw", "Rotation about the vertical, counter-clockwise seen from above.", "45 deg"},
             "rad", kAngle, box.yaw);
-  io.number({"friction",
-             "Coefficient of friction of its surface. Where two bodies touch, the lower "
-             "coefficient of the two counts.",
-             "0.6"},
-            "1", kFriction, box.friction);
-  material_key(io, config.materials, box.material);
-  io.inside({"radio_loss",
-             "Attenuation of radio frames that pass through it; needs `obstacles: true` of the "
-             "radio, and "
-             "no propagation model `multi_wall`, which uses `material`."},
-            [&](Fields& loss) { loss_keys(loss, box.radio_loss); });
+  surface_keys(io, config.materials, box);
 }
 
 /// @param kind  prefix of the names of boxes without a name; a number follows.
@@ -107,7 +90,27 @@ void boxes(Fields& io, const Key& key, std::string_view kind, agents::Simulation
 
 }  // namespace
 
-void world_keys(Fields& io, agents::SimulationConfig& config) {
+void surface_keys(Fields& io, std::span<const Material> materials, StaticBox& box) {
+  io.number({"friction",
+             "Coefficient of friction of its surface. Where two bodies touch, the lower "
+             "coefficient of the two counts.",
+             "0.6"},
+            "1", kFriction, box.friction);
+  material_key(io, materials, box.material);
+  // Defaults from Sommer et al. 2011 (kBrickWall); docs/models.md, 9, lists others.
+  io.inside(
+      {"radio_loss",
+       "Attenuation of radio frames that pass through it; needs `obstacles: true` of the radio, "
+       "and no propagation model `multi_wall`, which uses `material`."},
+      [&](Fields& loss) {
+        loss.quantity({"per_crossing", "Loss for each crossing, whatever the thickness.", "15 dB"},
+                      "dB", kRadioLoss, box.radio_loss.per_crossing);
+        loss.number({"per_metre", "Further loss for each metre of the path inside.", "0.4 dB/m"},
+                    "dB/m", kRadioLoss, box.radio_loss.per_metre);
+      });
+}
+
+void world_keys(Fields& io, agents::SimulationConfig& config, std::vector<WorldMap>& maps) {
   io.inside({"physics", "Parameters of the physics engine (ODE)."},
             [&](Fields& physics) { physics_keys(physics, config.world); });
   materials_key(io, config.materials);
@@ -115,11 +118,13 @@ void world_keys(Fields& io, agents::SimulationConfig& config) {
   boxes(io,
         {"walls", "Boxes that never move.", "[{size: [6 m, 20 cm, 50 cm], position: [0 m, 3 m]}]"},
         "wall", config);
-  if (io.is_writing()) return;  // they are written as walls
-  boxes(io,
-        {"boxes", "The same as `walls`; without a name they are `box` and a number.",
-         "[{size: [1 m, 1 m, 50 cm], position: [2 m, 2 m]}]"},
-        "box", config);
+  if (!io.is_writing()) {  // they are written as walls
+    boxes(io,
+          {"boxes", "The same as `walls`; without a name they are `box` and a number.",
+           "[{size: [1 m, 1 m, 50 cm], position: [2 m, 2 m]}]"},
+          "box", config);
+  }
+  map_keys(io, maps, config);
 }
 
 void keys_of(Fields& io, agents::LocalisationConfig& config) {

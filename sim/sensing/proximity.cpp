@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/core/cell_grid.h"
+#include "sim/physics/wall_tree.h"
 #include "sim/sensing/shape_tree.h"
 
 namespace sim::sensing {
@@ -42,6 +43,9 @@ class Proximity::Implementation {
  public:
   explicit Implementation(const physics::World& given)
       : world(given), fixed(given.shapes(), fixed_among(given.shapes())) {
+    for (const Shape& shape : given.shapes())
+      if (shape.is_static()) walls.push_back(shape);
+    if (walls.size() >= physics::WallTree::kFewestWalls) tree = physics::WallTree(walls);
     follow_all();
   }
 
@@ -71,8 +75,21 @@ class Proximity::Implementation {
     followed = world.steps();
   }
 
+  void add_moving(const Region& region) {
+    found.clear();
+    moving.within({region.low.x - largest, region.low.y - largest},
+                  {region.high.x + largest, region.high.y + largest}, found);
+    const std::span<const Shape> shapes = world.shapes();
+    for (const CellGrid::Member first : found) {
+      const std::size_t end = end_of_body(shapes, first);
+      for (std::size_t shape = first; shape < end; ++shape) candidates.push_back(shape);
+    }
+  }
+
   const physics::World& world;
-  ShapeTree fixed;  ///< Built once.
+  std::vector<Shape> walls;
+  physics::WallTree tree;  ///< Of the walls, if they are many.
+  ShapeTree fixed;         ///< Built once.
   CellGrid moving{kCell};
   double largest = 0;          ///< m; largest distance from a body's place in `moving` to its edge
   std::uint64_t followed = 0;  ///< Step of the world for which `moving` is valid.
@@ -96,18 +113,23 @@ void Proximity::update() {
 std::span<const std::size_t> Proximity::within(const Region& region) const {
   Implementation& i = *implementation_;
   i.candidates.clear();
-  i.found.clear();
   i.fixed.overlapping(region, i.candidates);
-  i.moving.within({region.low.x - i.largest, region.low.y - i.largest},
-                  {region.high.x + i.largest, region.high.y + i.largest}, i.found);
-  const std::span<const Shape> shapes = i.world.shapes();
-  for (const CellGrid::Member first : i.found) {
-    const std::size_t end = end_of_body(shapes, first);
-    for (std::size_t shape = first; shape < end; ++shape) i.candidates.push_back(shape);
-  }
+  i.add_moving(region);
   std::sort(i.candidates.begin(), i.candidates.end());
   return i.candidates;
 }
+
+std::span<const std::size_t> Proximity::moving_within(const Region& region) const {
+  Implementation& i = *implementation_;
+  i.candidates.clear();
+  i.add_moving(region);
+  std::sort(i.candidates.begin(), i.candidates.end());
+  return i.candidates;
+}
+
+const physics::WallTree& Proximity::wall_tree() const { return implementation_->tree; }
+
+std::span<const Shape> Proximity::walls() const { return implementation_->walls; }
 
 std::optional<double> Proximity::nearest(const SectorQuery& query, hal::AgentId own,
                                          std::span<const std::size_t> candidates) const {

@@ -9,6 +9,10 @@
 #include "sim/physics/world.h"
 #include "sim/sensing/sector_query.h"
 
+namespace sim::physics {
+class WallTree;
+}
+
 namespace sim::sensing {
 
 /// Finds the nearest surface of a world's shapes in a sector: exact, without sampled rays.
@@ -38,6 +42,14 @@ class Proximity {
   /// Shapes of the world that may reach into a region, in ascending order: one search for several
   /// sectors. Valid until the next search.
   std::span<const std::size_t> within(const Region& region) const;
+
+  /// The same without what never moves.
+  std::span<const std::size_t> moving_within(const Region& region) const;
+
+  /// All that never moves, for searches along rays; empty if that is little. Its members are
+  /// indices in walls().
+  const physics::WallTree& wall_tree() const;
+  std::span<const physics::Shape> walls() const;
 
   /// The same with the shapes already searched. @param candidates  from within() for a region that
   /// contains the sector.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "hal/types/random.h"
+#include "sim/sensing/ray_fan.h"
 #include "sim/sensing/sector_query.h"
 
 namespace sim::sensing {
@@ -13,17 +14,20 @@ namespace {
 
 using hal::node::devices::ScanSensor;
 
+std::vector<double> headings_on_body(const ScanSensor& scan) {
+  std::vector<double> headings = scan.headings();
+  for (double& heading : headings) heading = scan.mount.heading + heading;
+  return headings;
+}
+
 class SimulatedScan final : public hal::node::devices::Sensor {
  public:
   SimulatedScan(const ScanSensor& scan, const SensorSite& site)
       : scan_(scan),
         site_(site),
         random_(site.run_seed, fmt::format("{}/{}", site.agent_name, scan.mount.name)),
-        instants_(scan.period, random_.uniform()) {
-    for (const double heading : scan.headings())
-      rays_.push_back(unit(scan.mount.heading + heading));
-    directions_.resize(rays_.size());
-  }
+        instants_(scan.period, random_.uniform()),
+        rays_(headings_on_body(scan), scan.max_range) {}
 
   hal::Channel describe() const override { return scan_.describe(); }
   std::optional<std::vector<double>> sample(hal::Time at) override;
@@ -35,8 +39,7 @@ class SimulatedScan final : public hal::node::devices::Sensor {
   SensorSite site_;
   hal::RandomStream random_;
   MeasuringInstants instants_;
-  std::vector<hal::Vec2> rays_;        ///< Unit vectors, body frame.
-  std::vector<hal::Vec2> directions_;  ///< The same in the world frame, for the last scan.
+  RayFan rays_;
   std::optional<hal::Time> measured_at_;
 };
 
@@ -49,12 +52,8 @@ std::optional<std::vector<double>> SimulatedScan::sample(hal::Time at) {
   const hal::Vec2 offset = turned({scan_.mount.position.x, scan_.mount.position.y}, ahead);
   const hal::Vec3 origin{body.x + offset.x, body.y + offset.y,
                          site_.world.position(site_.agent).z + scan_.mount.position.z};
-  for (std::size_t i = 0; i < rays_.size(); ++i) directions_[i] = turned(rays_[i], ahead);
-  const double reach = scan_.max_range;
-  const Region around{{origin.x - reach, origin.y - reach, origin.z},
-                      {origin.x + reach, origin.y + reach, origin.z}};
-  std::vector<double> ranges = ray_ranges(origin, directions_, site_.world.shapes(),
-                                          site_.proximity().within(around), site_.agent);
+  std::vector<double> ranges =
+      rays_.ranges(origin, ahead, site_.proximity(), site_.world.shapes(), site_.agent);
   for (double& range : ranges) range = reading(range);
   return ranges;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "sim/agents/drawn_bodies.h"
 #include "sim/agents/simulation_config.h"
 #include "view/server/channels.h"
 #include "view/server/json_text.h"
@@ -155,7 +156,9 @@ Json wall_json(const sim::physics::StaticBox& wall) {
 
 Json walls_of(const Scenario& scenario, Bounds& bounds) {
   JsonArray walls;
+  const sim::Ground& ground = *scenario.simulation.world.ground;
   for (const auto& wall : scenario.simulation.walls) {
+    if (!sim::agents::stands_on(ground, wall)) continue;
     bounds.add_turned(wall);
     walls.add(wall_json(wall));
   }

@@ -46,6 +46,7 @@ std::set<std::filesystem::path> input_files(const sim::scenario::Scenario& scena
     files.insert(group.dds.profile);
     for (const sim::scenario::TopicItem& topic : group.topics) files.insert(topic.recorded.from);
   }
+  for (const sim::scenario::WorldMap& map : scenario.maps) files.insert({map.file, map.image});
   std::erase_if(files, [](const std::filesystem::path& file) {
     std::error_code ignored;
     return !std::filesystem::is_regular_file(file, ignored);

@@ -22,7 +22,8 @@ TEST(Walls, StandOnTheGround) {
   auto document = hal::files::config::Document::load(file);
   auto root = document.root();
   hal::files::description::FieldReader reader(root);
-  world_keys(reader, config);
+  std::vector<WorldMap> maps;
+  world_keys(reader, config, maps);
   ASSERT_EQ(config.walls.size(), 1u);
   EXPECT_NEAR(config.walls[0].centre.z, 1 + 2 + 0.25, 1e-12);  // m
 }

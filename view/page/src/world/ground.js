@@ -1,5 +1,5 @@
 // The ground: a grid in metres, walls, and links between those that hear each other.
-import { BoxGeometry, BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial } from "three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, InstancedMesh, LineBasicMaterial, LineSegments, MeshBasicMaterial, MeshLambertMaterial, Object3D } from "three";
 import { colour } from "../colours.js";
 
 /** The round step [m] of which `px` pixels or more are one. */
@@ -109,18 +109,21 @@ export function createGrid(scene) {
 export function createWalls(scene, walls) {
   const geometry = new BoxGeometry(1, 1, 1);
   const looks = { map: new MeshBasicMaterial(), free: new MeshLambertMaterial() };
-  const meshes = [];
-  for (const wall of walls) {
-    const mesh = new Mesh(geometry, looks.map);
-    meshes.push(mesh);
+  // One mesh for all of them: a map has thousands.
+  const mesh = new InstancedMesh(geometry, looks.map, walls.length);
+  mesh.frustumCulled = false;
+  const place = new Object3D();
+  for (const [i, wall] of walls.entries()) {
     const high = wall.height || 1;
-    mesh.position.set(wall.x, wall.y, high / 2);
-    mesh.rotation.z = wall.yaw;
-    mesh.scale.set(wall.length_x, wall.length_y, high);
-    scene.add(mesh);
+    place.position.set(wall.x, wall.y, high / 2);
+    place.rotation.z = wall.yaw;
+    place.scale.set(wall.length_x, wall.length_y, high);
+    place.updateMatrix();
+    mesh.setMatrixAt(i, place.matrix);
   }
+  scene.add(mesh);
   return {
     recolour() { for (const look of Object.values(looks)) look.color.set(colour("wall")); },
-    draw({ mode2d }) { for (const mesh of meshes) mesh.material = mode2d ? looks.map : looks.free; },
+    draw({ mode2d }) { mesh.material = mode2d ? looks.map : looks.free; },
   };
 }
