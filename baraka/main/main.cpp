@@ -151,7 +151,7 @@ void add_export(CLI::App& app, baraka::commands::ExportOptions& options) {
   add->add_option("-o", options.file, "Write to this file; with --format csv into this folder");
   add->add_option("--format", options.format,
                   "csv: every table; mcap: messages of ROS 2 for Foxglove, PlotJuggler and RViz; "
-                  "links: received powers as `propagation: [{model: measured}]` plays them")
+                  "links: received powers, which the law `measured` of `propagation` plays")
       ->transform(gateway::process::one_of({"csv", "mcap", "links"}));
   add->add_flag("--describe", options.describe,
                 "Describe the tables and columns of a result, or of this campaign");

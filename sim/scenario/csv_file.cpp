@@ -40,6 +40,7 @@ void add_row(CsvTable& table, std::vector<CsvCell> cells, const std::string& key
 
 std::vector<std::string> texts_of(const std::vector<CsvCell>& cells) {
   std::vector<std::string> texts;
+  texts.reserve(cells.size());
   for (const CsvCell& cell : cells) texts.push_back(cell.text);
   return texts;
 }

@@ -158,9 +158,44 @@ void table_keys(Fields& io, MeasuredConfig& c) {
     io.mistake("model", "measured needs `file` or `rows`");
 }
 
-bool has_loss(const std::set<std::pair<std::string_view, std::string_view>>& links,
-              std::string_view a, std::string_view b) {
-  return links.contains({a, b}) || links.contains({b, a});
+using Links = std::set<std::pair<std::string_view, std::string_view>>;
+
+Links links_of(const std::vector<MeasuredRow>& rows) {
+  Links links;
+  for (const MeasuredRow& row : rows) links.emplace(row.from, row.to);
+  return links;
+}
+
+/// Names in the rows that no agent has.
+std::vector<std::string> unknown_names(const std::vector<MeasuredRow>& rows,
+                                       const std::vector<agents::AgentConfig>& agents) {
+  std::set<std::string_view> names;
+  for (const auto& agent : agents) names.insert(agent.name);
+  std::vector<std::string> wrong;
+  for (const MeasuredRow& row : rows) {
+    for (const std::string* const name : {&row.from, &row.to}) {
+      if (!names.contains(*name))
+        wrong.push_back(fmt::format("{}: there is no agent '{}'", row.place, *name));
+    }
+  }
+  return wrong;
+}
+
+/// The first pair on one channel without rows.
+std::optional<std::string> without_loss(const std::vector<agents::AgentConfig>& agents,
+                                        const Links& links) {
+  const auto is_missing = [&](const agents::AgentConfig& a, const agents::AgentConfig& b) {
+    return a.radio.channel == b.radio.channel && !links.contains({a.name, b.name}) &&
+           !links.contains({b.name, a.name});
+  };
+  for (auto one = agents.begin(); one != agents.end(); ++one) {
+    const auto other = std::find_if(one + 1, agents.end(),
+                                    [&](const auto& agent) { return is_missing(*one, agent); });
+    if (other == agents.end()) continue;
+    return fmt::format("there is no loss for '{}' and '{}', and no `otherwise`", one->name,
+                       other->name);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -193,33 +228,11 @@ void keys_of(Fields& io, MeasuredConfig& c) {
 void check_measured(Mapping& in, const Scenario& scenario, const MeasuredConfig& c) {
   if (c.rows == nullptr) return;
   const auto& agents = scenario.simulation.agents;
-  const auto note = [&](const std::string& what) {
+  std::vector<std::string> wrong = unknown_names(*c.rows, agents);
+  const auto missing = without_loss(agents, links_of(*c.rows));
+  if (missing && !c.otherwise) wrong.push_back(*missing);
+  for (const std::string& what : wrong)
     in.within("radio").mistake("propagation", "measured: " + what);
-  };
-  std::set<std::string_view> names;
-  for (const auto& agent : agents) names.insert(agent.name);
-  std::set<std::pair<std::string_view, std::string_view>> links;
-  for (const MeasuredRow& row : *c.rows) {
-    for (const std::string& name : {row.from, row.to}) {
-      if (!names.contains(name)) note(fmt::format("{}: there is no agent '{}'", row.place, name));
-    }
-    links.emplace(row.from, row.to);
-  }
-  if (c.otherwise) return;
-  for (const auto& event : scenario.simulation.script) {
-    for (const auto& action : event.actions) {
-      if (std::holds_alternative<agents::Jam>(action.what))
-        note(fmt::format("{}: a jammer has no rows; it needs `otherwise`", action.place));
-    }
-  }
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    for (std::size_t j = i + 1; j < agents.size(); ++j) {
-      if (agents[i].radio.channel != agents[j].radio.channel) continue;
-      if (has_loss(links, agents[i].name, agents[j].name)) continue;
-      return note(fmt::format("there is no loss for '{}' and '{}', and no `otherwise`",
-                              agents[i].name, agents[j].name));
-    }
-  }
 }
 
 }  // namespace sim::scenario

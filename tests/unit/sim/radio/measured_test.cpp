@@ -54,6 +54,19 @@ TEST(Measured, LeavesLinksWithoutRowsToAnotherLaw) {
   EXPECT_NEAR(found.at({2, 3}), 16.0206 - 46.6777 - 30, 1e-3);  // 10 m
 }
 
+TEST(Measured, LetsNothingArriveFromWhereNoStationIs) {
+  auto law = measured({{"s1", "s2", 0, 70}}, false);
+  law.stations = {{hal::AgentId{1}, "s1"}, {hal::AgentId{2}, "s2"}};
+  const PropagationConfig air;
+  const Site jammer({5, 0, 0}), station({0, 0, 0}, 0, 0, hal::AgentId{1});
+  const auto left = [&] {
+    return make(law, air, *kFlatGround)->after(hal::Milliwatts{1}, Path(jammer, station)).value;
+  };
+  EXPECT_EQ(left(), 0);
+  law.otherwise = FriisConfig{};
+  EXPECT_GT(left(), 0);
+}
+
 /// RSSI at station 2 of broadcasts 100 ms apart.
 std::vector<double> trace_levels(const MeasuredConfig& law) {
   Air air(Profile::kIeee80211b);
