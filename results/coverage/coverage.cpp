@@ -24,7 +24,7 @@ constexpr double kMargin = 1;  // m
 /// A transmitter with what its powers and rates follow from.
 struct Source {
   Transmitter transmitter;
-  hal::Dbm sent{};
+  MeanPower::Emission emission;
   UsableRate rates;
 };
 
@@ -54,9 +54,8 @@ std::vector<Source> sources_of(const SimulationConfig& config, const CoverageOpt
   for (const AgentConfig& agent : config.agents) {
     if (std::ranges::find(wanted, agent.id) == wanted.end()) continue;
     const auto radio = sim::radio::config_for(config.radio, agent.radio, false);
-    sources.push_back({{agent.name, power.antenna_of(agent)},
-                       power.sent_by(agent),
-                       UsableRate(radio, options.bytes)});
+    const MeanPower::Emission emission = power.emission_of(agent);
+    sources.push_back({{agent.name, emission.antenna}, emission, UsableRate(radio, options.bytes)});
   }
   return sources;
 }
@@ -89,7 +88,7 @@ Spot spot_at(const std::vector<Source>& sources, const MeanPower& power, const h
   Spot spot;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const Source& source = sources[i];
-    const hal::Dbm level = power.received(source.sent, source.transmitter.antenna, place);
+    const hal::Dbm level = power.received(source.emission, place);
     rssi.push_back(level.value);
     if (i == 0 || level > spot.rssi) spot = {.best = i, .rssi = level};
   }

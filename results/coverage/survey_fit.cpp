@@ -63,7 +63,8 @@ class Paths {
       mistakes.push_back(about_access_point(config_, row));
       return;
     }
-    const hal::Vec3 from = power_.antenna_of(*agent), to = receiver_of(row);
+    const MeanPower::Emission emission = power_.emission_of(*agent);
+    const hal::Vec3 from = emission.antenna, to = receiver_of(row);
     const hal::Vec3 way = to - from;
     const double metres = std::sqrt(hal::dot(way, way));
     if (metres == 0) {
@@ -75,7 +76,7 @@ class Paths {
     factors.insert(factors.end(), crossed_.walls.begin(), crossed_.walls.end());
     factors.push_back(sim::radio::ceiling_factor(crossed_.ceilings, law_.ceiling_b));
     data.rows.push_back(std::move(factors));
-    data.values.push_back(power_.sent_by(*agent).value - row.dbm - at_one_metre_);
+    data.values.push_back(emission.towards(to).value - row.dbm - at_one_metre_);
   }
 
  private:

@@ -83,6 +83,22 @@ TEST(CoverageMap, TakesOtherAgentsAndHeights) {
       << "above the walls, although farther away";
 }
 
+TEST(CoverageMap, TurnsAntennasWithTheirBodies) {
+  auto config = floor_with({});
+  config.agents.resize(1);
+  const CoverageOptions options{.step = hal::Metres{1}, .area = Area{{0, 0}, {20, 12}}};
+  const Coverage plain = map_of(config, options);
+  config.agents[0].radio.antenna = sim::radio::BeamAntenna{};
+  const Coverage ahead = map_of(config, options);
+  config.agents[0].pose.theta = std::numbers::pi / 2;
+  const Coverage left = map_of(config, options);
+  const auto gain = [&](const Coverage& map, std::size_t column, std::size_t row) {
+    return map.at(column, row).rssi.value - plain.at(column, row).rssi.value;
+  };
+  EXPECT_GT(gain(ahead, 12, 0), gain(ahead, 0, 11) + 5) << "x is ahead";
+  EXPECT_GT(gain(left, 0, 11), gain(left, 12, 0) + 5) << "y is";
+}
+
 TEST(CoverageMap, RefusesARadioWithoutPowerLevels) {
   auto config = floor_with({});
   config.radio = sim::radio::profile_defaults(sim::radio::Profile::kDisk);

@@ -43,7 +43,7 @@ std::vector<SurveyRow> survey(const sim::agents::SimulationConfig& config, std::
   for (std::size_t i = 0; i < rows; ++i) {
     const auto& ap = config.agents[i % config.agents.size()];
     SurveyRow row{.x = 20 * random.uniform(), .y = 12 * random.uniform(), .access_point = ap.name};
-    const auto level = power.received(power.sent_by(ap), power.antenna_of(ap), {row.x, row.y, 1});
+    const auto level = power.received(power.emission_of(ap), {row.x, row.y, 1});
     row.dbm = level.value + sigma * random.normal();
     all.push_back(row);
   }
