@@ -57,7 +57,8 @@ void check_law(Mapping law, const std::vector<Material>& own) {
 
 void check_multi_wall(Mapping& in, const Scenario& scenario) {
   for (Mapping& law : in.within("radio").items("propagation")) {
-    if (law.has("walls")) check_law(law, scenario.simulation.materials);
+    if (law.text({"model", "", ""}, "") == radio::MultiWallConfig::kModel)
+      check_law(law, scenario.simulation.materials);
   }
   for (const char* const key : {"walls", "boxes"}) {
     for (Mapping& wall : in.within("world").items(key)) {
