@@ -139,6 +139,7 @@ std::vector<Movable> all_of(Mapping& in, const Batch& c, std::size_t number, std
   if (pattern.empty()) pattern = fmt::format("movable{}{}", number, count > 1 ? "_{}" : "");
   const std::vector<std::string> names = names_of(in, pattern, count);
   std::vector<Movable> all;
+  all.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto level = i % static_cast<std::size_t>(c.stack);
     Movable& one = all.emplace_back(c.kind);
@@ -151,6 +152,7 @@ std::vector<Movable> all_of(Mapping& in, const Batch& c, std::size_t number, std
 
 std::vector<Batch> batches_of(const std::vector<Movable>& movables) {
   std::vector<Batch> batches;
+  batches.reserve(movables.size());
   for (const Movable& one : movables)
     batches.push_back({one, std::vector<hal::Pose2>{one.pose}, 1});
   return batches;
