@@ -85,9 +85,9 @@ bool has_body_loss(const Scenario& scenario, const PropagationConfig& propagatio
 }
 
 bool has_movable_loss(const Scenario& scenario) {
-  return std::ranges::any_of(
-      scenario.simulation.movables,
-      [](const physics::Movable& movable) { return !movable.radio_loss.is_none(); });
+  return std::ranges::any_of(scenario.simulation.movables, [](const physics::Movable& movable) {
+    return !movable.radio_loss.is_none();
+  });
 }
 
 bool can_stop_waves(const Scenario& scenario, const PropagationConfig& propagation) {
@@ -113,7 +113,8 @@ void check_waves(Mapping& in, const Scenario& scenario) {
         !has_body_loss(scenario, waves->propagation)) {
       in.within("radio").warn("obstacles",
                               "has no effect: the model multi_wall has the walls, and there is no "
-                              "body with body_loss_per_crossing or body_loss_per_metre");
+                              "body with body_loss_per_crossing or body_loss_per_metre, nor a "
+                              "movable with a radio_loss");
     }
     return;
   }
