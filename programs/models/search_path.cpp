@@ -42,16 +42,22 @@ std::optional<fs::path> SearchPath::find(const std::string& uri) const {
   if (uri.starts_with("file://")) return if_there(folder_ / rest);
   const std::size_t slash = rest.find('/');
   const std::string package = rest.substr(0, slash);
-  const fs::path path = slash == std::string::npos ? fs::path{} : fs::path(rest.substr(slash + 1));
   if (package.empty()) return std::nullopt;
+  return in_package(package, slash == std::string::npos ? "" : rest.substr(slash + 1));
+}
+
+std::optional<fs::path> SearchPath::in_package(const std::string& package,
+                                               const fs::path& path) const {
+  std::vector<fs::path> candidates;
   for (const fs::path& folder : folders_) {
-    if (auto found = if_there(folder / package / path)) return found;
+    candidates.push_back(folder / package / path);
     if (folder.filename() == package || folder.parent_path().filename() == package)
-      if (auto found = if_there(folder / path)) return found;
+      candidates.push_back(folder / path);
   }
   for (fs::path around = folder_; around.has_relative_path(); around = around.parent_path())
-    if (around.filename() == package)
-      if (auto found = if_there(around / path)) return found;
+    if (around.filename() == package) candidates.push_back(around / path);
+  for (const fs::path& one : candidates)
+    if (auto found = if_there(one)) return found;
   return std::nullopt;
 }
 

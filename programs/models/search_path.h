@@ -25,6 +25,9 @@ class SearchPath {
   std::string listed() const;
 
  private:
+  std::optional<std::filesystem::path> in_package(const std::string& package,
+                                                  const std::filesystem::path& path) const;
+
   std::filesystem::path folder_;
   std::vector<std::filesystem::path> folders_;
 };
