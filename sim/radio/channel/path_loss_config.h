@@ -29,9 +29,9 @@ namespace sim::radio {
 ///
 /// Files can name all but the last one, by kModel.
 using PathLossConfig =
-    std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, MultiWallConfig, TwoRayGroundConfig,
-                 TwoRayInterferenceConfig, MeasuredConfig, ShadowingConfig, NakagamiConfig,
-                 RicianConfig, RayleighConfig, ForeignLawConfig>;
+    std::variant<PowerLawConfig, FriisConfig, LogDistanceConfig, MultiWallConfig,
+                 TwoRayGroundConfig, TwoRayInterferenceConfig, MeasuredConfig, ShadowingConfig,
+                 NakagamiConfig, RicianConfig, RayleighConfig, ForeignLawConfig>;
 
 /// Number of those that files can name.
 inline constexpr std::size_t kNamedLaws = std::variant_size_v<PathLossConfig> - 1;
