@@ -70,11 +70,12 @@ struct Needed {
   std::set<fs::path> inputs;
 };
 
-Needed needed_by(const Study& content, const fs::path& folder) {
+/// @param beside  the capsule; a scenario is written there while it is read.
+Needed needed_by(const Study& content, const std::string& beside) {
   Needed needed;
   for (const auto& [name, text] : content.scenarios) {
     if (!name.starts_with("scenarios/")) continue;
-    const fs::path file = folder / ".capsule.yaml";
+    const fs::path file = beside + ".scenario.yaml";
     std::ofstream(file, std::ios::binary) << text;
     const sim::scenario::Scenario scenario = sim::scenario::load_scenario(file);
     fs::remove(file);
@@ -101,11 +102,19 @@ void check_file(const std::string& file) {
       fmt::format("-o {}: there is no such folder; make it first", file));
 }
 
+bool is_program(const fs::path& file) {
+  return (fs::status(file).permissions() & fs::perms::owner_exec) != fs::perms{};
+}
+
 /// The files that a scenario reads, beside it in the capsule; those of one folder stay together, as
-/// one may name the other.
+/// one may name the other. Of programs that it starts, only the digests.
 void add_inputs(Study& content, const std::set<fs::path>& inputs) {
   std::map<fs::path, std::size_t> folders;
   for (const fs::path& file : inputs) {
+    if (is_program(file)) {
+      content.parts.push_back({"programs/" + file.filename().string(), file, false});
+      continue;
+    }
     const std::size_t number = folders.emplace(file.parent_path(), folders.size()).first->second;
     const std::string name = fmt::format("inputs/{}/{}", number, file.filename().string());
     content.parts.push_back({name, file});
@@ -124,7 +133,7 @@ int capsule(const CapsuleOptions& options) {
   require_result(options.folder);
   check_file(options.file);
   Study content = results::capsule::study_in(options.folder);
-  const Needed needed = needed_by(content, options.folder);
+  const Needed needed = needed_by(content, options.file);
   add_controllers(content, needed.controllers);
   add_inputs(content, needed.inputs);
   for (const std::string& file : options.added) {

@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -285,6 +287,15 @@ struct Asked {
   baraka::commands::NewControllerOptions controller;
 };
 
+/// What is done with results: the exit status; nothing was asked: none. @throws std::exception
+std::optional<int> act_on_results(const CLI::App& app, const Asked& asked) {
+  if (app.got_subcommand("capsule")) return baraka::commands::capsule(asked.capsule);
+  if (app.got_subcommand("diff")) return baraka::commands::diff(asked.diff);
+  if (app.got_subcommand("export")) return baraka::commands::export_results(asked.export_);
+  if (app.got_subcommand("report")) return baraka::commands::report(asked.report);
+  return std::nullopt;
+}
+
 /// @return exit status. @throws std::exception
 int act(const CLI::App& app, Asked& asked) {
   if (!asked.seed.empty()) asked.run.overrides.push_back("seed=" + asked.seed);
@@ -300,13 +311,10 @@ int act(const CLI::App& app, Asked& asked) {
   }
   if (app.got_subcommand("check")) return baraka::commands::check(asked.check);
   if (const auto done = baraka::main::act(app, asked.coverage, asked.survey)) return *done;
+  if (const auto done = act_on_results(app, asked)) return *done;
   if (app.got_subcommand("describe")) return asked.describe.act();
-  if (app.got_subcommand("capsule")) return baraka::commands::capsule(asked.capsule);
-  if (app.got_subcommand("diff")) return baraka::commands::diff(asked.diff);
   if (app.got_subcommand("exec")) baraka::commands::exec_inside(asked.exec);
-  if (app.got_subcommand("export")) return baraka::commands::export_results(asked.export_);
   if (app.got_subcommand("list")) return baraka::commands::list(asked.listed);
-  if (app.got_subcommand("report")) return baraka::commands::report(asked.report);
   if (app.got_subcommand("view")) {
     return baraka::commands::with_file_of("scenario", {asked.view.what.front(), {"scenarios"}},
                                           [&] { return baraka::commands::show_view(asked.view); });

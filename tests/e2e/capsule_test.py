@@ -96,6 +96,24 @@ class Capsule(Case):
         self.assertIn("poses", left_out)
         self.command("report", folder / "results")
 
+    def test_files_that_a_scenario_reads_come_along(self):
+        building = self.folder / "building"
+        building.mkdir()
+        for name in ("office.yaml", "office.png"):
+            (building / name).write_bytes((ROOT / "config/maps" / name).read_bytes())
+        scenario = building / "own.yaml"
+        scenario.write_text((ROOT / "config/scenarios/office_map.yaml").read_text().replace("../maps/office.yaml", "office.yaml")
+                            .replace("../radios/", "radios/").replace("../robots/", "robots/"))
+        run = self.run_baraka(scenario, "--until", "2s", "--controllers", "in-process")
+        capsule = self.folder / "map.tar.zst"
+        self.command("capsule", self.out, "-o", capsule)
+        folder = self.unpacked(capsule)
+        self.assertEqual(sorted(file.name for file in (folder / "inputs/0").iterdir()), ["office.png", "office.yaml"])
+        for file in building.iterdir():
+            file.unlink()
+        played = self.play(folder)
+        self.assertEqual(played.stdout.split()[-1], run["fingerprint"], played.stderr)
+
     def test_what_cannot_be_played_again_is_refused(self):
         self.run_baraka(ROOT / "config/scenarios/two_motes.yaml", "--pace", "realtime:20", "--until", "1s")
         for arguments, words in (((self.out, "-o", self.folder / "x.tar.zst"), "scenario and seed do not determine this run"),
