@@ -46,6 +46,8 @@ class Participant {
   /// @throws std::runtime_error  Fast DDS refuses the type or the topic.
   guard::api::Topic* add_topic(const std::string& name, const guard::api::TypeSupport& type);
   void remove_topic(guard::api::Topic* topic);
+  /// Deletes a writer of publisher().
+  void remove_writer(guard::api::DataWriter* writer);
 
   /// The filter of received datagrams.
   guard::DatagramFilter& filter() { return *filter_; }

@@ -64,7 +64,7 @@ class Writer {
     if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic);
   }
   ~Writer() {
-    participant_.publisher().delete_datawriter(writer_);
+    participant_.remove_writer(writer_);
     participant_.remove_topic(topic_);
   }
   Writer(const Writer&) = delete;

@@ -47,7 +47,7 @@ class InspectionWriter {
     if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic);
   }
   ~InspectionWriter() {
-    participant_.publisher().delete_datawriter(writer_);
+    participant_.remove_writer(writer_);
     participant_.remove_topic(topic_);
   }
   InspectionWriter(const InspectionWriter&) = delete;

@@ -144,8 +144,8 @@ void add_agents(py::module_& module) {
   add_readings(agent);
   add_network(module, agent);
   add_random(module, agent);
-  py::class_<MoteHandle, AgentHandle, std::shared_ptr<MoteHandle>>(module, "Mote",
-                                                                   "An agent without wheels.");
+  const py::class_<MoteHandle, AgentHandle, std::shared_ptr<MoteHandle>> mote(
+      module, "Mote", "An agent without wheels.");
   add_robot(module);
 }
 

@@ -73,7 +73,7 @@ PythonController::PythonController(py::handle of_class, std::shared_ptr<AgentHan
   }
 }
 
-PythonController::~PythonController() {
+PythonController::~PythonController() {  // NOLINT(bugprone-exception-escape): it takes a lock
   const py::gil_scoped_acquire lock;
   agent_->end();
   for (py::object* const one : {&start_, &step_, &receive_, &timer_, &notice_, &stop_, &self_}) {
@@ -115,8 +115,8 @@ void PythonController::notice(hal::MessageId id, hal::Fate fate) {
   if (!notice_) return;
   const py::gil_scoped_acquire lock;
   reported([&] {
-    static const py::handle kFate = value_class("Fate");
-    notice_(id, kFate(std::string(hal::to_string(fate))));
+    static const py::handle fate_class = value_class("Fate");
+    notice_(id, fate_class(std::string(hal::to_string(fate))));
   });
 }
 

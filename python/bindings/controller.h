@@ -18,7 +18,7 @@ class PythonController final : public hal::Controller {
   /// @throws std::runtime_error  its constructor raised.
   PythonController(pybind11::handle of_class, std::shared_ptr<AgentHandle> agent,
                    const pybind11::object& python_agent, const hal::Parameters& parameters);
-  ~PythonController() override;
+  ~PythonController() override;  // NOLINT(bugprone-exception-escape): it takes a lock
   PythonController(const PythonController&) = delete;
   PythonController& operator=(const PythonController&) = delete;
 

@@ -11,7 +11,7 @@ namespace python::bindings {
 
 /// An error of the HAL on its way to Python, where it is the exception of that name.
 struct HalError : std::runtime_error {
-  explicit HalError(hal::Error why) : std::runtime_error(why.message), code(why.code) {}
+  explicit HalError(const hal::Error& why) : std::runtime_error(why.message), code(why.code) {}
   hal::Errc code;
 };
 

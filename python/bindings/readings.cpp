@@ -11,14 +11,15 @@ namespace {
 namespace py = pybind11;
 
 py::object tuple_of_channel(const hal::Channel& channel) {
-  static const py::handle kClass = value_class("Channel");
-  static const py::handle kVec3 = value_class("Vec3");
-  return kClass(channel.id, channel.name, channel.kind, channel.unit, channel.length,
-                hal::to_seconds(channel.period), channel.frame,
-                py::array_t<double>(static_cast<py::ssize_t>(channel.headings.size()),
-                                    channel.headings.data()),
-                channel.low, channel.high,
-                kVec3(channel.position.x, channel.position.y, channel.position.z), channel.heading);
+  static const py::handle of_class = value_class("Channel");
+  static const py::handle vec3_class = value_class("Vec3");
+  return of_class(channel.id, channel.name, channel.kind, channel.unit, channel.length,
+                  hal::to_seconds(channel.period), channel.frame,
+                  py::array_t<double>(static_cast<py::ssize_t>(channel.headings.size()),
+                                      channel.headings.data()),
+                  channel.low, channel.high,
+                  vec3_class(channel.position.x, channel.position.y, channel.position.z),
+                  channel.heading);
 }
 
 }  // namespace
@@ -45,10 +46,10 @@ void add_readings(AgentClass& agent) {
       .def(
           "relative_position",
           [](const AgentHandle& self, py::handle other) {
-            static const py::handle kVec2 = value_class("Vec2");
+            static const py::handle vec2_class = value_class("Vec2");
             const auto place =
                 value_of(self.object().relative_position(address_from(other, "other")));
-            return kVec2(place.x, place.y);
+            return vec2_class(place.x, place.y);
           },
           py::arg("other"), "Position of another agent in this body's frame, Vec2 [m].");
 }

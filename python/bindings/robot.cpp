@@ -14,20 +14,20 @@ py::array_t<double> array_of(std::span<const double> values) {
 }
 
 py::object vec2(hal::Vec2 v) {
-  static const py::handle kClass = value_class("Vec2");
-  return kClass(v.x, v.y);
+  static const py::handle of_class = value_class("Vec2");
+  return of_class(v.x, v.y);
 }
 py::object vec3(const hal::Vec3& v) {
-  static const py::handle kClass = value_class("Vec3");
-  return kClass(v.x, v.y, v.z);
+  static const py::handle of_class = value_class("Vec3");
+  return of_class(v.x, v.y, v.z);
 }
 py::object pose2(const hal::Pose2& pose) {
-  static const py::handle kClass = value_class("Pose2");
-  return kClass(pose.x, pose.y, pose.theta);
+  static const py::handle of_class = value_class("Pose2");
+  return of_class(pose.x, pose.y, pose.theta);
 }
 py::object twist2(const hal::Twist2& twist) {
-  static const py::handle kClass = value_class("Twist2");
-  return kClass(twist.vx, twist.vy, twist.omega);
+  static const py::handle of_class = value_class("Twist2");
+  return of_class(twist.vx, twist.vy, twist.omega);
 }
 
 const char* name_of(hal::Solid::Shape shape) {
@@ -45,54 +45,54 @@ const char* name_of(hal::Solid::Shape shape) {
 }
 
 py::object body(const RobotHandle& self) {
-  static const py::handle kBody = value_class("RobotBody");
-  static const py::handle kSolid = value_class("Solid");
-  static const py::handle kWheel = value_class("BodyWheel");
+  static const py::handle body_class = value_class("RobotBody");
+  static const py::handle solid_class = value_class("Solid");
+  static const py::handle wheel_class = value_class("BodyWheel");
   const hal::RobotBody& body = self.robot().body();
   py::list solids, wheels;
   for (const hal::Solid& one : body.solids) {
-    solids.append(kSolid(name_of(one.shape), vec3(one.size), vec3(one.centre), one.yaw));
+    solids.append(solid_class(name_of(one.shape), vec3(one.size), vec3(one.centre), one.yaw));
   }
   for (const hal::BodyWheel& one : body.wheels) {
-    wheels.append(kWheel(one.is_driven, vec2(one.position), one.axle_heading, one.roller_angle,
-                         one.radius, one.max_speed, one.max_torque));
+    wheels.append(wheel_class(one.is_driven, vec2(one.position), one.axle_heading, one.roller_angle,
+                              one.radius, one.max_speed, one.max_torque));
   }
-  return kBody(body.model, solids, wheels);
+  return body_class(body.model, solids, wheels);
 }
 
 py::object set_body_velocity(const RobotHandle& self, py::handle vx, py::handle vy,
                              py::handle omega) {
-  static const py::handle kDrive = value_class("Drive");
+  static const py::handle drive_class = value_class("Drive");
   const auto drive = value_of(self.robot().set_body_velocity(
       {number_from(vx, "vx"), number_from(vy, "vy"), number_from(omega, "omega")}));
-  return kDrive(twist2(drive.applied), drive.saturated, drive.restricted);
+  return drive_class(twist2(drive.applied), drive.saturated, drive.restricted);
 }
 
 py::list infrared(const RobotHandle& self) {
-  static const py::handle kReading = value_class("InfraredReading");
+  static const py::handle reading_class = value_class("InfraredReading");
   py::list all;
   for (const auto& [heading, range] : value_of(self.robot().infrared())) {
-    all.append(kReading(heading, range));
+    all.append(reading_class(heading, range));
   }
   return all;
 }
 
 py::object odometry(const RobotHandle& self) {
-  static const py::handle kOdometry = value_class("Odometry");
+  static const py::handle odometry_class = value_class("Odometry");
   const auto odometry = value_of(self.robot().odometry());
-  return kOdometry(pose2(odometry.pose), twist2(odometry.twist));
+  return odometry_class(pose2(odometry.pose), twist2(odometry.twist));
 }
 
 py::object scan(const RobotHandle& self) {
-  static const py::handle kScan = value_class("Scan");
+  static const py::handle scan_class = value_class("Scan");
   const auto scan = value_of(self.robot().scan());
-  return kScan(array_of(scan.headings), array_of(scan.ranges));
+  return scan_class(array_of(scan.headings), array_of(scan.ranges));
 }
 
 py::object imu(const RobotHandle& self) {
-  static const py::handle kImu = value_class("Imu");
+  static const py::handle imu_class = value_class("Imu");
   const auto imu = value_of(self.robot().imu());
-  return kImu(vec3(imu.angular_velocity), vec3(imu.specific_force));
+  return imu_class(vec3(imu.angular_velocity), vec3(imu.specific_force));
 }
 
 }  // namespace

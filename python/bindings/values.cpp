@@ -149,21 +149,21 @@ py::handle value_class(const char* name) {
 }
 
 py::object tuple_of(const hal::Message& message) {
-  static const py::handle kClass = value_class("Message");
+  static const py::handle of_class = value_class("Message");
   const auto* const data = reinterpret_cast<const char*>(message.payload.data());
-  return kClass(message.source.value, message.destination.value, message.id, message.topic,
-                py::bytes(data, message.payload.size()), hal::to_number(message.priority));
+  return of_class(message.source.value, message.destination.value, message.id, message.topic,
+                  py::bytes(data, message.payload.size()), hal::to_number(message.priority));
 }
 
 py::object tuple_of(const hal::Route& route) {
-  static const py::handle kClass = value_class("Route");
-  return kClass(route.topic, route.destination.value, route.next_hop.value, route.path.hops,
-                hal::to_seconds(route.path.delay), route.path.min_snr_db, route.path.energy);
+  static const py::handle of_class = value_class("Route");
+  return of_class(route.topic, route.destination.value, route.next_hop.value, route.path.hops,
+                  hal::to_seconds(route.path.delay), route.path.min_snr_db, route.path.energy);
 }
 
 py::object tuple_of(const hal::Neighbour& neighbour) {
-  static const py::handle kClass = value_class("Neighbour");
-  return kClass(neighbour.id.value, hal::to_seconds(neighbour.last_heard), neighbour.rssi_dbm);
+  static const py::handle of_class = value_class("Neighbour");
+  return of_class(neighbour.id.value, hal::to_seconds(neighbour.last_heard), neighbour.rssi_dbm);
 }
 
 }  // namespace python::bindings

@@ -41,7 +41,7 @@ pybind11::object tuple_of(const hal::Route& route);
 pybind11::object tuple_of(const hal::Neighbour& neighbour);
 
 /// The class of that name in python/baraka/values.py, found once.
-/// Usage: static const auto kVec2 = value_class("Vec2");
+/// Usage: static const auto vec2_class = value_class("Vec2");
 pybind11::handle value_class(const char* name);
 
 }  // namespace python::bindings

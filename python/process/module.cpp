@@ -18,6 +18,7 @@ namespace py = pybind11;
 int run(const py::capsule& kind, const std::vector<std::string>& arguments) {
   const auto* const controller = kind.get_pointer<const hal::ControllerKind>();
   std::vector<const char*> words;
+  words.reserve(arguments.size() + 1);
   for (const std::string& one : arguments) words.push_back(one.c_str());
   words.push_back(nullptr);
   const auto parsed = gateway::runtime::parse_controller_options(static_cast<int>(arguments.size()),

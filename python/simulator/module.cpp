@@ -73,6 +73,7 @@ py::dict begin(Episode& self) {
 
 py::dict advance(Episode& self, const std::vector<std::array<double, 3>>& drives) {
   std::vector<hal::Twist2> twists;
+  twists.reserve(drives.size());
   for (const auto& [vx, vy, omega] : drives) twists.push_back({vx, vy, omega});
   const Situation situation = [&] {
     const py::gil_scoped_release others_may_run;
