@@ -129,9 +129,12 @@ int print_in_a_process(const Asked& asked) {
   const pid_t child = fork();
   if (child < 0) return print(asked, stderr);
   if (child == 0) {
-    const rlimit time{kLongest, kLongest}, memory{kMostMemory, kMostMemory};
+    const rlimit time{kLongest, kLongest};
     setrlimit(RLIMIT_CPU, &time);
+#ifndef __SANITIZE_ADDRESS__  // its shadow takes terabytes of addresses
+    const rlimit memory{kMostMemory, kMostMemory};
     setrlimit(RLIMIT_AS, &memory);
+#endif
     _exit(print(asked, own_messages()));
   }
   int status = 0;

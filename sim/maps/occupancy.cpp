@@ -103,7 +103,7 @@ MapFile read_map_file(const std::filesystem::path& file) {
   Document document = Document::load(file);
   Mapping root = document.root();
   std::error_code error;
-  const MapFile map = read_keys(root, std::filesystem::weakly_canonical(file, error).parent_path());
+  MapFile map = read_keys(root, std::filesystem::weakly_canonical(file, error).parent_path());
   document.finish();
   return map;
 }
