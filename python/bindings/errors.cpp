@@ -55,8 +55,8 @@ void add_errors(py::module_& module) {
   };
   call_error() = add_class(module, "CallError", also(base, PyExc_RuntimeError),
                            "A call outside a callback, from another thread, or after the end.");
-  py::register_exception_translator([](std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param):
-                                                                     // pybind11 says so
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 says so
+  py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const HalError& error) {
