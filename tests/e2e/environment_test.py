@@ -104,14 +104,12 @@ class Environments(Case):
             *_, truncated, infos = environment.step({"r0": [0, 0, 0], "r1": [0, 0, 0]})
         self.assertEqual((environment.agents, infos["r0"]["result"]), ([], "done"))
 
-    def test_the_third_robot_has_its_controller(self):
-        environment = self.environment(self.two(), ["r0", "r1"], nothing)
-        environment.reset(seed=1)
-        watch = self.environment(self.two(), "r2", nothing)
-        watch.reset(seed=1)
-        self.play(watch, 1, [0, 0, 0])
-        _, info = self.play(self.environment(self.two(), "r0", nothing), 1, [0, 0, 0])
-        self.assertLess(abs(info["pose"][0]), 0.02)  # driven: it stands
+    def test_robots_that_are_not_driven_have_their_controllers(self):
+        ends = {speed: self.play(self.environment(self.two(), "r0", nothing, set=[
+            f"agents.robots.controller.parameters={{speed: {speed} m/s}}"]), 1, [0, 0, 0])[1] for speed in (0.1, 0.3)}
+        for info in ends.values():
+            self.assertLess(abs(info["pose"][0]), 0.02)  # driven: it stands, whatever its controller would do
+        self.assertNotEqual(ends[0.1]["fingerprint"], ends[0.3]["fingerprint"])  # the others drive at that speed
 
     def test_rewards_and_terminals_get_both_observations_and_the_action(self):
         seen = []
