@@ -1,7 +1,5 @@
 #include "gateway/runtime/controller_command.h"
 
-#include <cstdlib>
-
 #include "gateway/process/find_program.h"
 #include "gateway/runtime/plugin.h"
 #include "gateway/runtime/python_file.h"
@@ -10,11 +8,6 @@ namespace gateway::runtime {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string interpreter() {
-  const char* const named = std::getenv("BARAKA_PYTHON");
-  return named == nullptr || *named == '\0' ? "/usr/bin/python3" : named;
-}
 
 /// How the interpreter finds the package: its main file by its place, in a build or installation.
 std::vector<std::string> package_words() {
@@ -33,7 +26,7 @@ std::vector<std::string> python_command(const std::string& program,
     const fs::path file = fs::absolute(folder / program);
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) continue;
-    std::vector<std::string> words{interpreter()};
+    std::vector<std::string> words{python_interpreter()};
     for (std::string& one : package_words()) words.push_back(std::move(one));
     words.push_back(file.string());
     return words;

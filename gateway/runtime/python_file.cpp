@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/core.h>
 
+#include <cstdlib>
 #include <map>
 
 #include "gateway/runtime/plugin.h"
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr const char* kLibrary = "libbaraka_python.so";
 
 /// baraka_python_controller() of python/host.
-using Ask = const hal::ControllerKind* (*)(const char*, std::string&);
+using Ask = const hal::ControllerKind* (*)(const char*, const char*, std::string&);
 
 hal::Result<Ask> python_library() {
   for (const fs::path& folder : controller_folders()) {
@@ -38,6 +39,11 @@ hal::Result<Ask> python_library() {
 
 }  // namespace
 
+std::string python_interpreter() {
+  const char* const named = std::getenv("BARAKA_PYTHON");
+  return named == nullptr || *named == '\0' ? "/usr/bin/python3" : named;
+}
+
 bool is_python(std::string_view program) { return program.ends_with(".py"); }
 
 hal::Result<const hal::ControllerKind*> load_python(const fs::path& file) {
@@ -47,7 +53,8 @@ hal::Result<const hal::ControllerKind*> load_python(const fs::path& file) {
   const auto ask = python_library();
   if (!ask) return tl::unexpected(ask.error());
   std::string mistake;
-  const hal::ControllerKind* const kind = (*ask)(file.c_str(), mistake);
+  const hal::ControllerKind* const kind =
+      (*ask)(file.c_str(), python_interpreter().c_str(), mistake);
   if (kind == nullptr) return hal::fail(hal::Errc::kInvalidArgument, std::move(mistake));
   if (kind->build_id != BARAKA_HAL_DIGEST) {
     return hal::fail(hal::Errc::kProtocol,

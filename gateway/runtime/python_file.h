@@ -12,6 +12,10 @@ namespace gateway::runtime {
 /// Whether a scenario's `program` is a Python file: its name ends in ".py".
 bool is_python(std::string_view program);
 
+/// The interpreter of controllers in Python, as processes and in this one: BARAKA_PYTHON of the
+/// environment, else Debian's.
+std::string python_interpreter();
+
 /// Asks a Python file for its controller, with Python in this process: the library libbaraka_python
 /// of the package python3-baraka, which is loaded once. The result is valid until the process ends.
 /// Not thread safe.

@@ -50,20 +50,37 @@ void look_in(const fs::path& folder) {
   if (path != nullptr && entry.object != nullptr) PyList_Insert(path, 0, entry.object);
 }
 
+/// Begins Python as this interpreter. Without a name Python would take the first `python3` of PATH,
+/// which may be a version manager's, with other modules than the controllers' processes have.
+/// Signals stay the program's. Returns what is wrong, empty: nothing.
+std::string begin_as(const char* interpreter) {
+  PyConfig config;
+  PyConfig_InitPythonConfig(&config);
+  config.install_signal_handlers = 0;
+  config.parse_argv = 0;
+  PyStatus status = PyConfig_SetBytesString(&config, &config.program_name, interpreter);
+  if (PyStatus_Exception(status) == 0) status = Py_InitializeFromConfig(&config);
+  PyConfig_Clear(&config);
+  if (PyStatus_Exception(status) == 0) return {};
+  return std::string(interpreter) +
+         " cannot begin: " + (status.err_msg == nullptr ? "unknown reason" : status.err_msg);
+}
+
 /// Begins Python once. Its extension modules look for Python's functions among the global ones.
-void begin_python() {
-  if (Py_IsInitialized() != 0) return;
+std::string begin_python(const char* interpreter) {
+  if (Py_IsInitialized() != 0) return {};
   Dl_info where{};
   if (dladdr(reinterpret_cast<const void*>(&Py_IsInitialized), &where) != 0) {
     dlopen(where.dli_fname, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD);
   }
-  Py_InitializeEx(0);  // signals stay the program's
+  if (std::string mistake = begin_as(interpreter); !mistake.empty()) return mistake;
   std::error_code ignored;
   for (const char* const place : {"python", "../python3/dist-packages"}) {
     const fs::path package = (own_folder() / place).lexically_normal();
     if (fs::is_directory(package / "baraka", ignored)) look_in(package);
   }
   PyEval_SaveThread();
+  return {};
 }
 
 /// What Python raised, in one line. @pre it raised something
@@ -78,8 +95,9 @@ std::string raised() {
 
 }  // namespace
 
-const hal::ControllerKind* baraka_python_controller(const char* file, std::string& mistake) {
-  begin_python();
+const hal::ControllerKind* baraka_python_controller(const char* file, const char* interpreter,
+                                                    std::string& mistake) {
+  if (mistake = begin_python(interpreter); !mistake.empty()) return nullptr;
   const Lock lock;
   const Owned package(PyImport_ImportModule("baraka.loading"));
   if (package.object == nullptr) {

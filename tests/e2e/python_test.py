@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Controllers in Python: equal to those in C++, and what goes wrong is said with file and line."""
 import os
+import sys
 import textwrap
 import unittest
 
@@ -200,6 +201,44 @@ class Wrong(Python):
             self.addCleanup(test.clean_up)
             done = test.finish()
             self.assertEqual(done.status, 0, str(done))
+
+    def test_the_interpreter_is_debians_or_the_one_named_whatever_path_finds_first(self):
+        """A version manager's python3 in front of it has other modules; a virtual environment has some more."""
+        file = self.own("""\
+            import baraka
+            import sys
+            class Own(baraka.Controller):
+                def start(self):
+                    self.agent.log("info", f"prefix {sys.prefix}, base {sys.base_prefix}")
+                    self.agent.log("info", f"own module {'mine' if self.mine() else 'none'}")
+                def mine(self):
+                    try:
+                        import only_in_the_environment
+                        return True
+                    except ModuleNotFoundError:
+                        return False
+            """)
+        version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+        other = self.folder / "other"
+        for folder in (other / "bin", other / "lib" / version / "lib-dynload"):
+            folder.mkdir(parents=True)
+        (other / "bin/python3").write_text("#!/bin/sh\nexit 1\n")
+        (other / "bin/python3").chmod(0o755)
+        (other / "lib" / version / "os.py").touch()
+        environment = self.folder / "environment"
+        packages = environment / "lib" / version / "site-packages"
+        packages.mkdir(parents=True)
+        (packages / "only_in_the_environment.py").touch()
+        (environment / "bin").mkdir()
+        (environment / "bin/python3").symlink_to("/usr/bin/python3")
+        (environment / "pyvenv.cfg").write_text("home = /usr/bin\ninclude-system-site-packages = true\n")
+        path = f"{other}/bin:{os.environ['PATH']}"
+        for named, prefix, module in (({}, "/usr", "none"),
+                                      ({"BARAKA_PYTHON": str(environment / "bin/python3")}, str(environment), "mine")):
+            for mode in ("in-process", "spawn"):
+                self.play(file, "--controllers", mode, env={**self.own_paths(), **named, "PATH": path})
+                self.assertTrue(self.lines(f"prefix {prefix}, base /usr"), f"{mode} {named}")
+                self.assertTrue(self.lines(f"own module {module}"), f"{mode} {named}")
 
     def test_run_by_hand(self):
         """As on a robot: python3 own.py, with the options of every controller."""
