@@ -61,24 +61,23 @@ bool is_elf(const std::optional<ElfW(Ehdr)>& header) {
                        std::string_view(ELFMAG, SELFMAG);
 }
 
-/// The ELF header of this program: the library is built for the same machine.
-const ElfW(Ehdr) & own_header() {
-  static const auto header = [] {
-    std::ifstream self("/proc/self/exe", std::ios::binary);
-    return read_at<ElfW(Ehdr)>(self, 0).value();
-  }();
-  return header;
+/// The ELF header of this program: the library is built for the same machine. nullopt: it cannot be
+/// read.
+std::optional<ElfW(Ehdr)> own_header(std::ifstream& self) {
+  const auto header = read_at<ElfW(Ehdr)>(self, 0);
+  return is_elf(header) ? header : std::nullopt;
 }
 
 std::optional<std::string> why_not_elf(std::ifstream& file, const ElfW(Ehdr) & header) {
-  const ElfW(Ehdr)& own = own_header();
-  if (header.e_ident[EI_CLASS] != own.e_ident[EI_CLASS] || header.e_machine != own.e_machine) {
+  std::ifstream self("/proc/self/exe", std::ios::binary);
+  const auto own = own_header(self);
+  if (!own) return "cannot be checked without /proc";
+  if (header.e_ident[EI_CLASS] != own->e_ident[EI_CLASS] || header.e_machine != own->e_machine) {
     return "is a program of another kind of machine";
   }
   const auto loader = loader_of(file, header);
   if (!loader) return "is statically linked";
-  std::ifstream self("/proc/self/exe", std::ios::binary);
-  const auto own_loader = loader_of(self, own);
+  const auto own_loader = loader_of(self, *own);
   if (own_loader && *loader != *own_loader) {
     return fmt::format("is linked with another C library ({})", *loader);
   }
