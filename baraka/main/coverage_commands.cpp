@@ -1,16 +1,19 @@
-#include "baraka/main/coverage_options.h"
-
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "baraka/commands/coverage_command.h"
 #include "baraka/commands/wrong_kind.h"
+#include "baraka/main/commands.h"
 #include "gateway/process/command_line.h"
 #include "results/coverage/coverage_classes.h"
 
 namespace baraka::main {
 
-void add_coverage(CLI::App& app, commands::CoverageCommand& options) {
+Subcommand add_coverage(CLI::App& app) {
+  const auto held = std::make_shared<commands::CoverageCommand>();
+  commands::CoverageCommand& options = *held;
   CLI::App* add = app.add_subcommand(
       "coverage", "Where in the world of a scenario its access points are received, and how well");
   add->add_option("SCENARIO", options.scenario, "Scenario file")->required();
@@ -33,9 +36,16 @@ void add_coverage(CLI::App& app, commands::CoverageCommand& options) {
       ->transform(gateway::process::one_of(layers));
   add->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
+  return {add, [held] {
+            return commands::with_file_of("scenario",
+                                          {held->scenario, {"scenarios"}, held->overrides},
+                                          [&] { return commands::coverage(*held); });
+          }};
 }
 
-void add_survey(CLI::App& app, commands::SurveyCommand& options) {
+Subcommand add_survey(CLI::App& app) {
+  const auto held = std::make_shared<commands::SurveyCommand>();
+  commands::SurveyCommand& options = *held;
   CLI::App* add = app.add_subcommand(
       "survey", "Fit the multi-wall law of a scenario's walls to measured powers");
   add->add_option("SURVEY", options.survey, "CSV with the columns x, y, access_point, dbm and z")
@@ -46,20 +56,11 @@ void add_survey(CLI::App& app, commands::SurveyCommand& options) {
                   "Write the scenario's radio with the fitted law to this file");
   add->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
-}
-
-std::optional<int> act(const CLI::App& app, const commands::CoverageCommand& coverage,
-                       const commands::SurveyCommand& survey) {
-  if (app.got_subcommand("coverage")) {
-    return commands::with_file_of("scenario",
-                                  {coverage.scenario, {"scenarios"}, coverage.overrides},
-                                  [&] { return commands::coverage(coverage); });
-  }
-  if (app.got_subcommand("survey")) {
-    return commands::with_file_of("scenario", {survey.scenario, {"scenarios"}, survey.overrides},
-                                  [&] { return commands::survey(survey); });
-  }
-  return std::nullopt;
+  return {add, [held] {
+            return commands::with_file_of("scenario",
+                                          {held->scenario, {"scenarios"}, held->overrides},
+                                          [&] { return commands::survey(*held); });
+          }};
 }
 
 }  // namespace baraka::main

@@ -1,11 +1,18 @@
-#include "baraka/main/run_options.h"
-
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <limits>
-#include <map>
+#include <memory>
+#include <string>
 
+#include "baraka/campaign/campaign_command.h"
+#include "baraka/commands/wrong_kind.h"
+#include "baraka/fleet/fleet_command.h"
+#include "baraka/main/commands.h"
+#include "baraka/main/controllers_option.h"
 #include "baraka/run/domain_range.h"
+#include "baraka/run/run_command.h"
 #include "gateway/process/command_line.h"
 #include "gateway/process/domains.h"
 
@@ -16,7 +23,6 @@ using gateway::process::plain_number;
 using gateway::process::seconds;
 using gateway::process::whole_number;
 using run::RunOptions;
-using run::controllers::ControllersFrom;
 
 constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kMostReplications = 1'000'000, kMostJobs = 1000, kMostPort = 65535;
@@ -26,7 +32,7 @@ constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;
 CLI::Validator domains() {
   return {
       [](std::string& text) {
-        return baraka::run::is_domain_range(text)
+        return run::is_domain_range(text)
                    ? std::string{}
                    : fmt::format(
                          "'{}' is not a DDS domain from 0 to {}, nor a range of them such as 7-9",
@@ -45,7 +51,7 @@ void add_surroundings(CLI::App* run, RunOptions& options) {
                   "DDS domain to show the run in; default: the run's")
       ->transform(whole_number(0, gateway::process::kLastDomain));
   run->add_flag_callback(
-      "--no-inspect", [&] { options.inspect = false; }, "Do not show the run to DDS tools");
+      "--no-inspect", [&options] { options.inspect = false; }, "Do not show the run to DDS tools");
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
   run->add_flag("--overwrite", options.overwrite,
                 "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
@@ -59,7 +65,7 @@ void add_surroundings(CLI::App* run, RunOptions& options) {
 }
 
 /// @return --view.
-CLI::Option* add_live_view(CLI::App* run, baraka::run::live::LiveViewOptions& view) {
+CLI::Option* add_live_view(CLI::App* run, run::live::LiveViewOptions& view) {
   CLI::Option* shown = run->add_flag("--view", view.shown, "Show the run in a browser");
   run->add_flag("--paused", view.paused, "With --view: wait for the page to start the run")
       ->needs(shown);
@@ -67,13 +73,13 @@ CLI::Option* add_live_view(CLI::App* run, baraka::run::live::LiveViewOptions& vi
       ->transform(whole_number(1, kMostPort))
       ->needs(shown);
   run->add_flag_callback(
-         "--no-open", [&] { view.open = false; }, "With --view: do not open a browser")
+         "--no-open", [&view] { view.open = false; }, "With --view: do not open a browser")
       ->needs(shown);
   return shown;
 }
 
 /// @param what  "campaign" or "fleet".
-void add_campaign_options(CLI::App* command, baraka::campaign::CampaignOptions& options,
+void add_campaign_options(CLI::App* command, campaign::CampaignOptions& options,
                           const std::string& what) {
   command->add_option("FILE", options.file, fmt::format("File of the {}", what))->required();
   command->add_option("--out", options.out, "Folder for the results; default: results/<name>");
@@ -94,24 +100,29 @@ void add_campaign_options(CLI::App* command, baraka::campaign::CampaignOptions& 
   command->add_flag("--status", options.status, "Only show its progress");
 }
 
-}  // namespace
+/// What `run` is asked.
+struct RunAsked {
+  RunOptions options;
+  std::string seed;
+};
 
-void add_controllers(CLI::App& command, ControllersFrom& controllers, const std::string& of_what) {
-  const std::map<std::string, ControllersFrom> from{{"spawn", ControllersFrom::kSpawn},
-                                                    {"external", ControllersFrom::kExternal},
-                                                    {"in-process", ControllersFrom::kInProcess}};
-  command
-      .add_option_function<std::string>(
-          "--controllers",
-          [&controllers, from](const std::string& how) { controllers = from.at(how); },
-          of_what + "spawn: start them (default); external: wait for them; in-process: load them")
-      ->transform(gateway::process::one_of({"spawn", "external", "in-process"}));
+int act(RunAsked& asked) {
+  RunOptions& options = asked.options;
+  if (!asked.seed.empty()) options.overrides.push_back("seed=" + asked.seed);
+  return commands::with_file_of(
+      "scenario", {options.scenario, {"scenarios"}, options.overrides}, [&] {
+        return options.replications ? campaign::run_replications(options) : run::run(options);
+      });
 }
 
-void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
+}  // namespace
+
+Subcommand add_run(CLI::App& app) {
+  const auto held = std::make_shared<RunAsked>();
+  RunOptions& options = held->options;
   CLI::App* run = app.add_subcommand("run", "Run a scenario");
   run->add_option("SCENARIO", options.scenario, "Scenario file")->required();
-  run->add_option("--seed", seed, "Seed, instead of the scenario's")
+  run->add_option("--seed", held->seed, "Seed, instead of the scenario's")
       ->transform(whole_number(0, kMostSeed));
   run->add_option("--until", options.until, "End at this simulated time: 90 or 1.5 min")
       ->transform(seconds(0));
@@ -144,21 +155,31 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
       ->transform(whole_number(1, kMostJobs))
       ->needs(replications);
+  return {run, [held] { return act(*held); }};
 }
 
-void add_campaign(CLI::App& app, baraka::campaign::CampaignOptions& options) {
-  CLI::App* campaign = app.add_subcommand(
+Subcommand add_campaign(CLI::App& app) {
+  CLI::App* add = app.add_subcommand(
       "campaign",
       "Run a scenario many times, over the values of its keys; continues where it ended");
-  add_campaign_options(campaign, options, "campaign");
+  const auto held = std::make_shared<campaign::CampaignOptions>();
+  add_campaign_options(add, *held, "campaign");
+  return {add, [held] {
+            return commands::with_file_of("campaign", {held->file, {"campaigns"}, held->overrides},
+                                          [&] { return campaign::run_campaign(*held); });
+          }};
 }
 
-void add_fleet(CLI::App& app, baraka::campaign::CampaignOptions& options) {
-  CLI::App* fleet = app.add_subcommand(
-      "fleet",
-      "Find with how many robots the topics of a fleet still arrive, and what breaks first; "
-      "continues where it ended");
-  add_campaign_options(fleet, options, "fleet");
+Subcommand add_fleet(CLI::App& app) {
+  CLI::App* add = app.add_subcommand("fleet",
+                                     "Find with how many robots the topics of a fleet still "
+                                     "arrive, and what breaks first; continues where it ended");
+  const auto held = std::make_shared<campaign::CampaignOptions>();
+  add_campaign_options(add, *held, "fleet");
+  return {add, [held] {
+            return commands::with_file_of("fleet", {held->file, {"fleets"}, held->overrides},
+                                          [&] { return fleet::run_fleet(*held); });
+          }};
 }
 
 }  // namespace baraka::main
