@@ -155,6 +155,13 @@ inline std::vector<PeerCell> cells(const std::string& file,
   return all;
 }
 
+/// What tests/analytic/radio compares; of several senders of short frames at the highest rate it
+/// takes seconds, so that they are in tests/slow/radio, as A-MPDUs of several are.
+inline bool is_quick(const PeerCell& cell) {
+  const bool is_short = cell.row.at("mcs") == "7" && cell.row.at("payload_be") == "200";
+  return cell.is_alone() || (!cell.is_aggregate() && !is_short);
+}
+
 /// One sender: 0.5 %. Several, single MPDUs: 1.5 %, but 2.5 % for short frames at the highest rate
 /// in 2.4 GHz, where an EIFS is as long as several frames. Where no station synchronises to one of
 /// two colliding frames (preamble_db 20), so that none arises, that cell is within 1.5 %, too. Of

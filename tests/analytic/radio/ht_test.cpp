@@ -10,8 +10,6 @@ class Ht : public testing::TestWithParam<PeerCell> {};
 // Several senders of A-MPDUs, and more cells, are in tests/slow/radio.
 TEST_P(Ht, SaturatesAsThePeerDoes) { expect_goodput_of_the_peer(GetParam()); }
 
-bool is_quick(const PeerCell& cell) { return cell.is_alone() || !cell.is_aggregate(); }
-
 INSTANTIATE_TEST_SUITE_P(Saturation, Ht,
                          testing::ValuesIn(cells("ht_saturation_ns3.csv", is_quick)),
                          [](const auto& c) { return name_of_cell(c.param.row); });

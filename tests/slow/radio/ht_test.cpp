@@ -25,6 +25,15 @@ INSTANTIATE_TEST_SUITE_P(MoreHt, Mcs, testing::ValuesIn(cells("ht_more_ns3.csv",
 INSTANTIATE_TEST_SUITE_P(VhtHe, Mcs, testing::ValuesIn(cells("vht_he_ns3.csv", is_single)),
                          [](const auto& c) { return name_of_cell(c.param.row); });
 
+bool is_single_and_slow(const PeerCell& cell) { return is_single(cell) && !is_quick(cell); }
+
+INSTANTIATE_TEST_SUITE_P(Saturation, Mcs,
+                         testing::ValuesIn(cells("ht_saturation_ns3.csv", is_single_and_slow)),
+                         [](const auto& c) { return name_of_cell(c.param.row); });
+INSTANTIATE_TEST_SUITE_P(WithoutEifs, Mcs,
+                         testing::ValuesIn(cells("ht_ampdu_ns3.csv", is_single_and_slow)),
+                         [](const auto& c) { return name_of_cell(c.param.row); });
+
 class RestartedTimer : public testing::TestWithParam<PeerCell> {};
 
 // Short frames at the highest rate in 2.4 GHz: what tolerance_of() allows for is due to this timer.
