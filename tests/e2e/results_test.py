@@ -15,6 +15,7 @@ from baraka import BIN, CASE_STUDY, ROOT, Case, Program, send, some_domain, wait
 TWO_MOTES = ROOT / "config/scenarios/two_motes.yaml"
 IN_PROCESS = ["--controllers", "in-process"]
 NOBODY = 65534
+STEP = int(os.environ.get("BARAKA_STEP", "16"))  # changes from one kill to the next, after the first 24
 
 
 def content(folder):
@@ -227,7 +228,7 @@ class Killed(Folders):
         out, earlier = self.out, self.folder / "earlier"
         self.run_to("--seed", "1", out=earlier)
         self.out = out
-        for number in [*range(1, 25), *range(25, 400, 4)]:
+        for number in [*range(1, 25), *range(25, 400, STEP)]:
             for path in self.folder.glob("out*"):
                 shutil.rmtree(path)
             shutil.copytree(earlier, self.out)
