@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Runs in real time: nobody waits for controllers, nothing is lost, and they can be repeated."""
 import re
+import sqlite3
 import time
 import unittest
 
@@ -10,12 +11,21 @@ TALLY = ROOT / "tests/e2e/tally.yaml"
 
 
 class Repetition(Case):
+    def wait_until(self, seconds):
+        """Of simulated time, however slow the machine is."""
+        def is_there():
+            try:
+                return self.query(f"SELECT count(*) FROM poses WHERE at_ns >= {seconds}e9") != [(0,)]
+            except sqlite3.OperationalError:
+                return False  # not even the tables are there
+        wait_for(is_there)
+
     def test_a_disturbed_run_is_repeated_to_the_same_fingerprint(self):
         arguments = ["--until", "60"]
         program = self.start(CASE_STUDY, "--pace", "realtime:20", *arguments)
         record = self.out
         (robot,) = wait_for(lambda: children(program.process.pid, "help_robot"))
-        time.sleep(1)
+        self.wait_until(5)
         send(robot, "SIGSTOP")
         time.sleep(0.3)  # 6 s of simulated time: its wheels stop after command_timeout
         send(robot, "SIGCONT")
@@ -40,7 +50,7 @@ class Repetition(Case):
         program = self.start(CASE_STUDY, "--pace", "realtime:20", "--until", "60", *silence)
         record = self.out
         (robot,) = wait_for(lambda: children(program.process.pid, "help_robot"))
-        time.sleep(1)
+        self.wait_until(5)
         send(robot, "SIGKILL")
         orphaned = program.finish()
         self.assertEqual(orphaned.status, 0, str(orphaned))
@@ -79,7 +89,9 @@ class SlowControllers(Case):
         self.assertEqual(int(finished["lost_events"]), 0)
         self.assertEqual(received, delivered)
         self.assertEqual(disordered, 0)
-        self.assertGreaterEqual(received, 550)  # of 600 in 6 s
+        ((sent,),) = self.query("SELECT count(*) FROM messages")  # 600 in 6 s, fewer where the sender is late, too
+        self.assertGreater(sent, 0)
+        self.assertGreaterEqual(received, sent - 2)  # those of the last instant
 
     def test_one_that_sleeps_half_a_second_in_each_cycle_gets_every_message_in_order(self):
         slow = "agents.receiver.controller.parameters.sleep=500 ms"
@@ -90,6 +102,7 @@ class SlowControllers(Case):
     def test_one_that_is_stopped_for_two_seconds_gets_every_message_in_order(self):
         program = self.start(TALLY, "--pace", "realtime")
         _, receiver = wait_for(lambda: self.two(program.process.pid))
+        wait_for(self.out.exists)  # it has begun
         time.sleep(1)
         send(receiver, "SIGSTOP")
         time.sleep(2)
@@ -106,7 +119,7 @@ class SlowControllers(Case):
     def test_one_that_dies_ends_the_run(self):
         program = self.start(TALLY, "--pace", "realtime")
         _, receiver = wait_for(lambda: self.two(program.process.pid))
-        time.sleep(0.5)
+        wait_for(self.out.exists)  # it has begun
         send(receiver, "SIGKILL")
         finished = program.finish()
         self.assertEqual(finished.status, 1, str(finished))
