@@ -27,6 +27,7 @@ class CaseStudy(Case):
         self.assertEqual(report.status, 0, str(report))
         self.assertRegex(report.out, r"mobility_framework +1 +arrived")
         self.assertIn("102 links", report.out)
+        self.assertEqual(self.run_baraka(CASE_STUDY, "--controllers", "in-process")["fingerprint"], finished["fingerprint"])
 
     def test_ten_seeds_hold_what_does_not_depend_on_calibration(self):
         outs, near_the_wall, paths, times = [], 0, [], []
