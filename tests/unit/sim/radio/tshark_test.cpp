@@ -87,8 +87,15 @@ class Tshark : public testing::TestWithParam<Profile> {
   }
   ~Tshark() override { fs::remove(file_); }
 
-  /// A line for each frame.
-  std::vector<std::string> read() const {
+  /// A frame.
+  struct Dissected {
+    std::string text;      ///< What expected() says.
+    std::string elements;  ///< The numbers of its elements; those of extended ones after a tab.
+    std::string edca;      ///< ACI, AIFSN, CWmin, CWmax and TXOP limit in 32 us.
+  };
+
+  /// All at once, for tshark takes a third of a second to start.
+  std::vector<Dissected> read() const {
     const std::vector<std::pair<std::string, std::string>> fields{
         {"", "wlan.fc.type_subtype"},
         {"good=", "wlan.fcs.status"},
@@ -106,39 +113,37 @@ class Tshark : public testing::TestWithParam<Profile> {
     std::string command =
         "tshark -o wlan.check_checksum:TRUE -T fields -r '" + file_.string() + "'";
     for (const auto& [label, field] : fields) command += " -e " + field;
+    command += " -e wlan.tag.number -e wlan.ext_tag.number";
+    for (const char* const field : {"aci", "aifsn", "cw.min", "cw.max", "txop_limit"}) {
+      command += std::string(" -e wlan.wfa.ie.wme.acp.") + field;
+    }
     std::istringstream lines(tests::output_of(command + " 2>/dev/null"));
-    std::vector<std::string> all;
+    std::vector<Dissected> all;
     for (std::string line; std::getline(lines, line);) {
       std::istringstream values(line);
-      std::string text;
+      Dissected& one = all.emplace_back();
       for (const auto& [label, field] : fields) {
-        std::string value;
-        std::getline(values, value, '\t');
-        text += (text.empty() ? "" : " ") + label + value;
+        one.text += (one.text.empty() ? "" : " ") + label + next(values);
       }
-      all.push_back(text);
+      one.elements = next(values);
+      one.elements += '\t' + next(values);
+      std::getline(values, one.edca);
     }
     return all;
   }
 
-  /// The numbers of the elements of the first beacon, extended ones after "255:".
-  std::string beacon_elements() const {
-    const std::string found = tests::output_of(
-        "tshark -r '" + file_.string() + "' -c 200 -Y wlan.fc.type_subtype==8 -T fields " +
-        "-e wlan.tag.number -e wlan.ext_tag.number 2>/dev/null");
-    return found.substr(0, found.find('\n'));
+  /// The first frame of a subtype: beacons are 8, association responses 1.
+  static Dissected first(const std::vector<Dissected>& frames, int subtype) {
+    const std::string begin = fmt::format("0x{:04x}", subtype);
+    const auto found = std::ranges::find_if(
+        frames, [&begin](const Dissected& frame) { return frame.text.starts_with(begin); });
+    return found == frames.end() ? Dissected{} : *found;
   }
 
-  /// ACI, AIFSN, CWmin, CWmax and TXOP limit in 32 us of the first frame of a subtype: beacons are
-  /// 8, association responses 1.
-  std::string edca_of(int subtype) const {
-    std::string command = "tshark -r '" + file_.string() +
-                          "' -T fields -Y wlan.fc.type_subtype==" + std::to_string(subtype);
-    for (const char* const field : {"aci", "aifsn", "cw.min", "cw.max", "txop_limit"}) {
-      command += std::string(" -e wlan.wfa.ie.wme.acp.") + field;
-    }
-    const std::string found = tests::output_of(command + " 2>/dev/null");
-    return found.substr(0, found.find('\n'));
+  static std::string next(std::istringstream& values) {
+    std::string value;
+    std::getline(values, value, '\t');
+    return value;
   }
 
   const fs::path file_ = fs::path(testing::TempDir()) / fmt::format("bss_{}.pcap", ::getpid());
@@ -163,12 +168,12 @@ TEST_P(Tshark, ReadsEveryFrameOfTwoAccessPointsAsItIsMeant) {
   }
   air.run(4s);
   write_pcap(file_, air.log.starts);
-  const std::vector<std::string> lines = read();
-  ASSERT_EQ(lines.size(), air.log.starts.size());
+  const std::vector<Dissected> frames = read();
+  ASSERT_EQ(frames.size(), air.log.starts.size());
   std::set<FrameType> seen;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
     const Frame& frame = air.log.starts[i].frame;
-    ASSERT_EQ(lines[i], expected(frame)) << "frame " << i + 1;
+    ASSERT_EQ(frames[i].text, expected(frame)) << "frame " << i + 1;
     seen.insert(frame.type);
   }
   // All but disassociation; stations with QoS agree on Block Ack, too, and have A-MPDUs.
@@ -179,12 +184,12 @@ TEST_P(Tshark, ReadsEveryFrameOfTwoAccessPointsAsItIsMeant) {
       {Profile::kIeee80211n, "0,1,3,5,42,50,12,45,61\t"},
       {Profile::kIeee80211ac, "0,1,5,12,45,191,61,192\t"},
       {Profile::kIeee80211ax, "0,1,5,12,45,191,255,61,192,255\t35,36"}};
-  EXPECT_EQ(beacon_elements(), elements.at(GetParam()));
+  EXPECT_EQ(first(frames, 8).elements, elements.at(GetParam()));
   // IEEE Std 802.11-2020, table 9-155: video 4.096 ms, voice 2.080 ms.
   const std::string edca = dcf_of(air.config)->qos
                                ? "0,1,2,3\t3,7,2,2\t15,15,7,3\t1023,1023,15,7\t0,0,128,65"
                                : "\t\t\t\t";
-  for (const int subtype : {8, 1}) EXPECT_EQ(edca_of(subtype), edca) << subtype;
+  for (const int subtype : {8, 1}) EXPECT_EQ(first(frames, subtype).edca, edca) << subtype;
 }
 
 /// What tshark reads of the HT Operation element in the last beacon of an access point of 40 MHz
