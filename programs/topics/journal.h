@@ -1,20 +1,19 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace programs::topics {
 
 /// What was written and received, kept until the end. All calls from any thread.
 class Journal {
  public:
-  /// Opens the file: its folder may be renamed until close(). @throws std::runtime_error
-  Journal(std::string participant, const std::filesystem::path& file);
+  /// @param participant  its name.
+  explicit Journal(std::string participant);
 
   /// @param was_accepted  whether the write succeeded. @param late_ns  how long after it was due
   /// the
@@ -30,8 +29,8 @@ class Journal {
   /// A topic that is written, though there may never be a sample.
   void add_written(const std::string& topic);
 
-  /// Writes the file. Nothing counts afterwards. @return whether it could be written.
-  bool close();
+  /// What counted, as JSON. Nothing counts afterwards.
+  std::string close();
 
  private:
   struct Written {
@@ -49,12 +48,14 @@ class Journal {
 
   std::mutex mutex_;
   std::string participant_;
-  std::ofstream out_;
   bool is_closed_ = false;
   std::map<std::string, Written> written_;
   std::map<std::pair<std::string, std::string>, Received> received_;
   std::map<std::uint16_t, Written> sent_;
   std::map<std::pair<std::uint16_t, std::string>, Received> datagrams_;
 };
+
+/// One journal of several processes' journals, each as of Journal::close() or empty.
+std::string joined(const std::vector<std::string>& journals);
 
 }  // namespace programs::topics

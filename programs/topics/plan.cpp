@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -40,12 +41,15 @@ json json_of(const Recorded& recorded) {
   json samples = json::array();
   for (const Recorded::Sample& one : recorded.samples)
     samples.push_back({one.at.count(), one.bytes});
-  return {{"recorded", std::move(samples)}, {"repeat_after_ns", recorded.repeat_after.count()}};
+  return {{"recorded", std::move(samples)},
+          {"repeat_after_ns", recorded.repeat_after.count()},
+          {"spread_ns", recorded.spread.count()}};
 }
 
 Recorded recorded_of(const json& in) {
   Recorded recorded{.samples = {},
-                    .repeat_after = hal::Duration(in.at("repeat_after_ns").get<std::int64_t>())};
+                    .repeat_after = hal::Duration(in.at("repeat_after_ns").get<std::int64_t>()),
+                    .spread = hal::Duration(in.at("spread_ns").get<std::int64_t>())};
   for (const json& one : in.at("recorded")) {
     recorded.samples.push_back(
         {hal::Duration(one.at(0).get<std::int64_t>()), one.at(1).get<std::uint32_t>()});
@@ -112,10 +116,12 @@ Plan plan_of(const json& in) {
             .reads = {}};
   for (const json& one : in.at("writes")) {
     plan.writes.push_back({one.at("topic").get<std::string>(), qos_of(one.at("qos")),
-                           sizes_of(one.at("sizes")), rhythm_of(one.at("rhythm"))});
+                           sizes_of(one.at("sizes")), rhythm_of(one.at("rhythm")),
+                           one.at("participant").get<std::uint32_t>()});
   }
   for (const json& one : in.at("reads"))
-    plan.reads.push_back({one.at("topic").get<std::string>(), qos_of(one.at("qos"))});
+    plan.reads.push_back({one.at("topic").get<std::string>(), qos_of(one.at("qos")),
+                          one.at("participant").get<std::uint32_t>()});
   for (const json& one : in.at("flows")) {
     plan.flows.push_back({one.at("port").get<std::uint16_t>(),
                           one.at("to").get<std::vector<std::string>>(), recorded_of(one)});
@@ -125,6 +131,26 @@ Plan plan_of(const json& in) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> participants_of(const Plan& plan) {
+  std::set<std::uint32_t> numbers;
+  for (const WrittenTopic& topic : plan.writes) numbers.insert(topic.participant);
+  for (const ReadTopic& topic : plan.reads) numbers.insert(topic.participant);
+  if (numbers.empty()) numbers.insert(0);
+  return {numbers.begin(), numbers.end()};
+}
+
+Plan part_of(const Plan& plan, std::uint32_t participant) {
+  Plan part = plan;
+  const auto is_others = [&](const auto& topic) { return topic.participant != participant; };
+  std::erase_if(part.writes, is_others);
+  std::erase_if(part.reads, is_others);
+  if (participant != participants_of(plan).front()) {
+    part.flows.clear();
+    part.ports.clear();
+  }
+  return part;
+}
 
 std::string json_text(const Plan& plan) {
   json out = {{"name", plan.name},
@@ -140,10 +166,12 @@ std::string json_text(const Plan& plan) {
     out["writes"].push_back({{"topic", topic.name},
                              {"qos", json_of(topic.qos)},
                              {"sizes", sizes_json(topic)},
-                             {"rhythm", rhythm_json(topic)}});
+                             {"rhythm", rhythm_json(topic)},
+                             {"participant", topic.participant}});
   }
   for (const ReadTopic& topic : plan.reads)
-    out["reads"].push_back({{"topic", topic.name}, {"qos", json_of(topic.qos)}});
+    out["reads"].push_back(
+        {{"topic", topic.name}, {"qos", json_of(topic.qos)}, {"participant", topic.participant}});
   for (const SentFlow& flow : plan.flows) out["flows"].push_back(json_of(flow));
   return out.dump(1) + "\n";
 }

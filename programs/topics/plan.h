@@ -44,7 +44,8 @@ struct Bursts {
   hal::Duration spacing{};
 };
 
-/// Samples at given times after a shift that all recorded topics of the plan have in common.
+/// Samples at given times after a shift that all recorded topics of the plan have in common, and
+/// one of their participant's.
 struct Recorded {
   struct Sample {
     hal::Duration at{};
@@ -52,6 +53,8 @@ struct Recorded {
   };
   std::vector<Sample> samples;   ///< In order of time.
   hal::Duration repeat_after{};  ///< From one beginning to the next; 0: it is played once.
+  /// Recordings of participants other than 0 begin later by a share of this, drawn for each.
+  hal::Duration spread{};
 };
 
 /// A topic that the participant writes.
@@ -60,12 +63,14 @@ struct WrittenTopic {
   hal::TopicQos qos;
   std::variant<SizeCycle, UniformSizes> sizes;  ///< Not of a recording.
   std::variant<Periodic, Poisson, Bursts, Recorded> rhythm;
+  std::uint32_t participant = 0;  ///< Which of the plan's participants writes it.
 };
 
 /// A topic that the participant reads.
 struct ReadTopic {
   std::string name;
   hal::TopicQos qos;
+  std::uint32_t participant = 0;  ///< Which of the plan's participants reads it.
 };
 
 /// UDP datagrams that are not RTPS, each to all of the addresses.
@@ -75,9 +80,9 @@ struct SentFlow {
   Recorded datagrams;           ///< Their `bytes` are of UDP's payload.
 };
 
-/// What one participant writes and reads.
+/// What the participants of one agent write and read. Each is a process of its own.
 struct Plan {
-  std::string name;  ///< Of the participant.
+  std::string name;  ///< Of all participants.
   std::uint32_t domain = 0;
   std::uint64_t seed = 0;
   hal::Duration begin{};          ///< From the program's start until publication begins.
@@ -87,6 +92,12 @@ struct Plan {
   std::vector<SentFlow> flows{};       ///< Sent beside DDS.
   std::vector<std::uint16_t> ports{};  ///< Of UDP, on which others' flows are received.
 };
+
+/// The numbers of the participants in a plan, ascending; at least one.
+std::vector<std::uint32_t> participants_of(const Plan& plan);
+
+/// What one participant of a plan writes and reads; the first one has the flows, too.
+Plan part_of(const Plan& plan, std::uint32_t participant);
 
 /// The plan as JSON; parsed() gives the same plan.
 std::string json_text(const Plan& plan);

@@ -8,12 +8,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "hal/types/overloaded.h"
 #include "programs/topics/ending.h"
 #include "programs/topics/flows.h"
+#include "programs/topics/processes.h"
 #include "programs/topics/schedule.h"
 
 namespace programs::topics {
@@ -45,9 +48,11 @@ void play_topic(Schedule schedule, Instant begin, const std::string& name, const
   }
 }
 
-int play_plan(const Plan& plan, const MakeParticipant& make, const sigset_t& end_signals) {
+/// Plays what one participant writes and reads, and the flows of UDP.
+int play_participant(const Plan& plan, const MakeParticipant& make, const sigset_t& end_signals,
+                     const Keep& keep) {
   const Instant start = std::chrono::steady_clock::now();
-  Journal journal(plan.name, plan.journal);
+  Journal journal(plan.name);
   Ending ending;
   const std::unique_ptr<Participant> participant = make(plan, journal);
   for (const ReadTopic& topic : plan.reads) participant->read(topic);
@@ -66,12 +71,32 @@ int play_plan(const Plan& plan, const MakeParticipant& make, const sigset_t& end
   }
   int signal = 0;
   sigwait(&end_signals, &signal);
-  const bool is_written = journal.close();
-  if (!is_written) std::fprintf(stderr, "the journal cannot be written\n");
-  if (signal == SIGTERM) std::_Exit(is_written ? EXIT_SUCCESS : EXIT_FAILURE);
+  const int status = keep(journal.close()) ? EXIT_SUCCESS : EXIT_FAILURE;
+  if (signal == SIGTERM) std::_Exit(status);
   ending.end();
   for (std::thread& thread : threads) thread.join();
-  return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
+  return status;
+}
+
+int play_plan(const Plan& plan, const MakeParticipant& make, const sigset_t& end_signals) {
+  std::ofstream out(plan.journal);  // its folder may be renamed from here on
+  if (!out) throw std::runtime_error(plan.journal.string() + ": cannot be written");
+  const Keep keep = [&out](const std::string& journal) {
+    out << journal << std::flush;
+    if (!out) std::fprintf(stderr, "the journal cannot be written\n");
+    return out.good();
+  };
+  const std::vector<std::uint32_t> participants = participants_of(plan);
+  if (participants.size() == 1) return play_participant(plan, make, end_signals, keep);
+  std::vector<std::string> journals;
+  const int status = play_apart(
+      participants,
+      [&](std::uint32_t one, const Keep& keep_part) {
+        return play_participant(part_of(plan, one), make, end_signals, keep_part);
+      },
+      end_signals, journals);
+  const bool is_kept = keep(joined(journals));
+  return is_kept ? status : EXIT_FAILURE;
 }
 
 }  // namespace

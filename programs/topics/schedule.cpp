@@ -12,6 +12,16 @@ std::string stream_of(const Plan& plan, const WrittenTopic& topic, const char* p
   return plan.name + "/topics/" + topic.name + "/" + purpose;
 }
 
+/// Of the recording of a topic: its agent's, and that of the participant which writes it.
+hal::Duration shift_of(const Plan& plan, const WrittenTopic& topic) {
+  const auto* const recording = std::get_if<Recorded>(&topic.rhythm);
+  if (recording == nullptr) return {};
+  if (topic.participant == 0) return recording_shift(plan);  // flows and topics without another
+  const std::string stream = plan.name + "/topics/participant/" + std::to_string(topic.participant);
+  const double share = hal::RandomStream(plan.seed, stream).uniform();
+  return recording_shift(plan) + hal::from_seconds(share * hal::to_seconds(recording->spread));
+}
+
 }  // namespace
 
 hal::Duration recording_shift(const Plan& plan) {
@@ -32,7 +42,7 @@ Schedule::Schedule(const Plan& plan, const WrittenTopic& topic)
       instants_(plan.seed, stream_of(plan, topic, "instants")),
       sizes_(plan.seed, stream_of(plan, topic, "sizes")),
       phase_(instants_.uniform()),
-      shift_(recording_shift(plan)) {}
+      shift_(shift_of(plan, topic)) {}
 
 hal::Duration Schedule::at(const Periodic& rhythm) {
   const double period = 1 / rhythm.rate;

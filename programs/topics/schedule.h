@@ -16,7 +16,7 @@ struct DueSample {
 };
 
 /// By how much an agent's recordings begin later, from [0 s, 1 s): drawn once for all of its topics
-/// and flows, which keep their places in time to each other.
+/// and flows. Those of one participant keep their places in time to each other.
 hal::Duration recording_shift(const Plan& plan);
 
 /// Sample `index`, from 0 on, of a recording that is played from time 0 on; none: it is over.
@@ -41,7 +41,7 @@ class Schedule {
   const WrittenTopic& topic_;
   hal::RandomStream instants_, sizes_;
   double phase_ = 0;         ///< Share of a period.
-  hal::Duration shift_{};    ///< Of a recording.
+  hal::Duration shift_{};    ///< Of a recording: the agent's and the participant's.
   double elapsed_ = 0;       ///< s, of Poisson.
   std::uint64_t index_ = 0;  ///< Of the next sample.
   hal::Duration last_{};

@@ -68,6 +68,19 @@ std::string complaint(const TopicItem& item, Recordings& recordings) {
   return {};
 }
 
+std::string participant_of(const TopicPart& part, std::optional<std::uint32_t> recorded) {
+  switch (part.item->participants) {
+    case Participants::kTopic:
+      return "topic " + part.name;
+    case Participants::kRecorded:
+      if (recorded) return fmt::format("{} of {}", *recorded, part.item->recorded.from.string());
+      return {};
+    case Participants::kAgent:
+      break;
+  }
+  return {};
+}
+
 /// Name of a topic that there is twice; empty: none.
 std::string twice(const std::vector<TopicPart>& parts) {
   std::set<std::string> names;
@@ -101,6 +114,14 @@ void add_mistakes(std::vector<std::string>& mistakes, const Scenario& scenario, 
 }
 
 }  // namespace
+
+std::string writing_participant(const TopicPart& part) {
+  return participant_of(part, part.recorded != nullptr ? part.recorded->writer : std::nullopt);
+}
+
+std::string reading_participant(const TopicPart& part) {
+  return participant_of(part, part.recorded != nullptr ? part.recorded->reader : std::nullopt);
+}
 
 const Recording& Recordings::of(const std::filesystem::path& file) {
   const auto found = read_.find(file);

@@ -34,6 +34,11 @@ struct TopicPart {
   const hal::files::recording::RecordedTopic* recorded = nullptr;  ///< Null: it is not.
 };
 
+/// Which of its agent's participants writes or reads a topic: parts with equal names have one in
+/// common; "" is that of all topics that are not shared out.
+std::string writing_participant(const TopicPart& part);
+std::string reading_participant(const TopicPart& part);
+
 /// Topics that an agent of the group writes, in order of declaration. Recorded topics get the
 /// agent's namespace, "rt/scan" becomes "rt/r0/scan", unless they are renamed.
 std::vector<TopicPart> written_topics(const Scenario& scenario, const Group& group,

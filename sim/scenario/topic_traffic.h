@@ -47,10 +47,18 @@ struct RecordedTraffic {
   std::map<std::string, std::string> rename;  ///< New names, which may contain kAgentWord.
   bool repeats = false;                       ///< From the beginning, when it is over.
   bool has_flows = false;                     ///< Also flows of UDP that are not RTPS.
+  hal::Duration spread = 0ms;                 ///< Of the beginnings of an agent's participants.
   std::optional<hal::TopicQos::Reliability> reliability;
   std::optional<hal::TopicQos::Durability> durability;
   std::optional<std::optional<std::uint32_t>> depth;
   std::optional<hal::Duration> deadline;
+};
+
+/// How an agent's topics are shared out among participants of DDS, each a process of its own.
+enum class Participants : std::uint8_t {
+  kAgent,     ///< One for all topics of the agent.
+  kTopic,     ///< One for each topic.
+  kRecorded,  ///< As in the recording; where it does not tell, as kAgent.
 };
 
 /// One item of `topics:`, which each agent of a group writes: a topic, or those of a recording.
@@ -60,6 +68,7 @@ struct TopicItem {
   SampleRhythm rhythm{};
   hal::TopicQos qos{};
   RecordedTraffic recorded{};
+  Participants participants = Participants::kAgent;
   std::vector<std::string> readers{};  ///< Names or patterns of agents; never the writer itself.
   std::string place{};                 ///< "file:line:column".
 

@@ -26,6 +26,13 @@ constexpr std::array kDurabilities = {
     Option<Durability>{"volatile", Durability::kVolatile},
     Option<Durability>{"transient_local", Durability::kTransientLocal}};
 
+constexpr std::array kParticipants = {Option<Participants>{"agent", Participants::kAgent},
+                                      Option<Participants>{"topic", Participants::kTopic}};
+constexpr std::array kRecordedParticipants = {
+    Option<Participants>{"recorded", Participants::kRecorded},
+    Option<Participants>{"agent", Participants::kAgent},
+    Option<Participants>{"topic", Participants::kTopic}};
+
 /// OMG DDSI-RTPS 2.5, 9.6.2.3: ports are 7400 + 250 * domain + …, up to 65,535.
 constexpr std::int64_t kLastDomain = 232;
 constexpr std::uint32_t kMostHistory = 1'000'000;
@@ -50,6 +57,12 @@ const Key kHistory{"history",
                    "HISTORY of writers and readers: the number of samples that are kept "
                    "(KEEP_LAST), or `all` (KEEP_ALL), with which writes may block and be refused.",
                    "5", "10"};
+const Key kParticipantsKey{
+    "participants",
+    "Participants of DDS that write, and at each reader read, the topics, each a process of its "
+    "own: one for all of the agent, or one for each topic. With `from` also as recorded, which is "
+    "the default and needs a pcap or pcapng; other recordings do not tell, and have one.",
+    "topic", "agent"};
 const Key kDeadline{"deadline", "DEADLINE that writers offer and readers request.", "200 ms",
                     "none"};
 
@@ -105,6 +118,7 @@ void stated_keys(Fields& io, TopicItem& c) {
   size_key(io, c.sizes);
   rhythm_keys(io, c.rhythm);
   qos_keys(io, c.qos);
+  io.choice(kParticipantsKey, kParticipants, c.participants);
 }
 
 void rename_key(Fields& io, RecordedTraffic& c) {
@@ -142,10 +156,15 @@ void recorded_keys(Fields& io, TopicItem& c) {
       {"from",
        "Recording whose topics are written, with their sizes, instants and QoS: MCAP, rosbag2, "
        "pcap or pcapng. Topics without QoS are reliable, volatile, keep last 10. An agent's "
-       "topics begin up to 1 s after the others', drawn, and keep their time to each other.",
+       "topics begin up to 1 s after the others', drawn, and those of one participant keep their "
+       "time to each other.",
        "lab.mcap"},
       c.recorded.from);
-  if (io.reading() != nullptr) c.name = "*";
+  if (io.reading() != nullptr) {
+    c.name = "*";
+    c.participants = Participants::kRecorded;
+    c.recorded.spread = 10ms;
+  }
   io.text(kName, c.name);
   rename_key(io, c.recorded);
   io.flag({"repeat", "With `from`: whether it begins again when it is over.", "true"},
@@ -156,6 +175,13 @@ void recorded_keys(Fields& io, TopicItem& c) {
            "true"},
           c.recorded.has_flows);
   recorded_qos_keys(io, c.recorded);
+  io.choice(kParticipantsKey, kRecordedParticipants, c.participants);
+  io.duration({"spread",
+               "With `from`: each participant of an agent begins to play up to so much later, "
+               "drawn. By default, what programs that start together have in lock-step; with 0 s "
+               "the topics lie to each other in time as recorded, with 1 s as after another start.",
+               "1 s"},
+              {0, 1}, c.recorded.spread);
 }
 
 void topic_keys(Fields& io, TopicItem& c) {
@@ -245,7 +271,7 @@ Program player_of(const Group& group) {
 void topics_keys(Fields& io, Group& group) {
   io.inside({"dds",
              "How the participants of the group's agents are made, to write and to read "
-             "`topics`: one for each agent."},
+             "`topics`: one for each agent, unless `participants` says otherwise."},
             [&](Fields& dds) { dds_keys(dds, group.dds); });
   io.list_if_any<TopicItem>(
       {"topics",

@@ -300,6 +300,47 @@ class Topics(Case):
         self.play(*("    " + line for line in items))
         self.assertEqual({row[1] for row in self.samples("r0/scan")}, {8000, 1000})
 
+    def participants(self):
+        """Of DDS, by agent, that had a writer or reader of a topic."""
+        rows = self.query("""SELECT DISTINCT a.name, substr(e.guid, 1, 12) FROM dds_endpoints e
+            JOIN agents a ON a.agent = e.agent WHERE e.topic NOT LIKE '%DCPS%' AND e.topic != ''""")
+        return collections.Counter(name for name, _ in rows)
+
+    def test_each_topic_may_have_participants_of_its_own_and_so_has_their_recording(self):
+        for vendor in VENDORS:
+            with self.subTest(vendor):
+                own = {"size": "1 kB", "rate": "10 Hz", "participants": "topic"}
+                self.play(item(name="a", **own), item(name="b", **own), item(name="c", size="64 B", rate="5 Hz"),
+                          writer=vendor, reader=vendor)
+                self.assertEqual(self.participants(), {"r0": 3, "base": 3})
+                self.assertEqual(set(self.written("r0")), {"a", "b", "c"})
+                self.assertEqual({topic for topic, _ in self.received("base")}, {"a", "b", "c"})
+                air = self.out / "air.pcapng"
+                offsets = {}
+                for name, keys, participants in (("recorded", {"spread": "0 s"}, 3), ("agent", {"participants": "agent"}, 1),
+                                                 ("spread", {"spread": "1 s"}, 3)):
+                    self.play(item(**{"from": air}, rename="{a: a, b: b, c: c}", **keys), writer=vendor, reader=vendor, end=8)
+                    self.assertEqual(self.participants(), {"r0": participants, "base": participants}, name)
+                    self.assertEqual(set(self.written("r0")), {"a", "b", "c"})
+                    first = {topic: self.samples(topic)[0][0] for topic in "abc"}
+                    offsets[name] = [(first[topic] - first["a"]) / 1e6 for topic in "bc"]  # ms
+                for one, other, spread in zip(*(offsets[name] for name in ("recorded", "agent", "spread"))):
+                    self.assertAlmostEqual(one, other, delta=3)
+                    self.assertGreater(abs(one - spread), 10)
+
+    def test_participants_end_together_when_one_fails(self):
+        topic = {"qos": {"reliable": True, "transient_local": False, "history": 10}, "sizes": [64],
+                 "rhythm": {"rate": 10, "jitter_ns": 0}}
+        (self.folder / "plan.json").write_text(json.dumps({
+            "name": "a", "domain": 0, "seed": 1, "begin_ns": 0, "journal": str(self.folder / "journal.json"), "reads": [],
+            "writes": [{"topic": "a", "participant": 1, **topic}, {"topic": "not a name", "participant": 2, **topic}],
+            "flows": [], "ports": []}))
+        done = subprocess.run([f"{os.environ['BARAKA_BIN']}/baraka-topics-cyclonedds", self.folder / "plan.json"],
+                              capture_output=True, text=True, check=False, timeout=300)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("topic not a name cannot be created", done.stderr)
+        self.assertEqual(json.loads((self.folder / "journal.json").read_text())["written"][0]["topic"], "a")
+
     def test_players_refuse_what_is_no_plan(self):
         (self.folder / "none.json").write_text("{}")
         for vendor in VENDORS:

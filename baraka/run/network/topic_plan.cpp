@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -44,8 +45,21 @@ programs::topics::Recorded played(const std::vector<hal::files::recording::Recor
   programs::topics::Recorded recorded;
   for (const auto& sample : samples) recorded.samples.push_back({sample.at, sample.bytes});
   if (item.recorded.repeats) recorded.repeat_after = recording.length;
+  recorded.spread = item.recorded.spread;
   return recorded;
 }
+
+/// Numbers of an agent's participants: "" is 0, the others follow as they are asked for.
+class ParticipantNumbers {
+ public:
+  std::uint32_t of(const std::string& name) {
+    const auto next = static_cast<std::uint32_t>(numbers_.size());
+    return numbers_.try_emplace(name, next).first->second;
+  }
+
+ private:
+  std::map<std::string, std::uint32_t> numbers_{{"", 0}};
+};
 
 WrittenTopic written(const sim::scenario::TopicPart& part, sim::scenario::Recordings& recordings) {
   if (part.recorded == nullptr)
@@ -111,10 +125,13 @@ programs::topics::Plan topic_plan(const sim::scenario::PlannedProgram& planned,
       .journal = results / sim::scenario::topic_journal_file(planned.agent_name),
       .writes = {},
       .reads = {}};
-  for (const auto& part : written_topics(scenario, *planned.group, planned.agent, recordings))
+  ParticipantNumbers numbers;
+  for (const auto& part : written_topics(scenario, *planned.group, planned.agent, recordings)) {
     plan.writes.push_back(written(part, recordings));
+    plan.writes.back().participant = numbers.of(writing_participant(part));
+  }
   for (const auto& part : read_topics(scenario, planned.agent, recordings))
-    plan.reads.push_back({part.name, part.qos});
+    plan.reads.push_back({part.name, part.qos, numbers.of(reading_participant(part))});
   plan.flows = sent_flows(planned, scenario, recordings);
   const std::set<std::uint16_t> ports = received_ports(planned, scenario, recordings);
   plan.ports.assign(ports.begin(), ports.end());

@@ -44,6 +44,13 @@ std::size_t Collector::topic(std::string_view name, std::string_view type,
   return found->second;
 }
 
+void Collector::participants(std::size_t topic, std::optional<std::uint32_t> writer,
+                             std::optional<std::uint32_t> reader) {
+  RecordedTopic& told = topics_[topic].told;
+  if (!told.writer) told.writer = writer;
+  if (!told.reader) told.reader = reader;
+}
+
 void Collector::count() {
   if (++samples_ > kMostSamples)
     throw std::runtime_error(fmt::format("there are more than {} samples", kMostSamples));

@@ -28,6 +28,10 @@ class Collector {
   std::size_t topic(std::string_view name, std::string_view type,
                     const std::optional<OfferedQos>& offered);
 
+  /// The participants that write and read a topic, unless they are known already.
+  void participants(std::size_t topic, std::optional<std::uint32_t> writer,
+                    std::optional<std::uint32_t> reader);
+
   /// @param at  nanoseconds since any epoch.
   /// @throws std::runtime_error  too many samples, without the place.
   void add(std::size_t topic, std::int64_t at, std::uint32_t bytes);

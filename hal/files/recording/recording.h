@@ -23,6 +23,10 @@ struct RecordedTopic {
   std::string type;             ///< "sensor_msgs/msg/LaserScan"; "" if the file does not tell.
   std::optional<TopicQos> qos;  ///< Of its writers, as offered; nullopt: the file does not tell.
   std::vector<RecordedSample> samples;  ///< In order of time.
+  /// Which of the recording's participants of DDS writes it, and which reads it; of several, the
+  /// one with the least GUID, of writers among those that wrote samples. Numbers without gaps from
+  /// 0 on; nullopt: the file does not tell.
+  std::optional<std::uint32_t> writer{}, reader{};
 };
 
 /// A flow of UDP datagrams without RTPS, by destination port.

@@ -20,6 +20,11 @@ bool announces_writers(rtps::EntityId writer) {
   return writer == rtps::kSedpPublicationWriter || writer == kSecure;
 }
 
+bool announces_readers(rtps::EntityId writer) {
+  constexpr rtps::EntityId kSecure{0xff0004c2};
+  return writer == rtps::kSedpSubscriptionWriter || writer == kSecure;
+}
+
 OfferedQos to_offered(const rtps::DiscoveredEndpoint& told) {
   OfferedQos offered;
   constexpr std::uint32_t kBestEffort = 1;
@@ -99,6 +104,7 @@ void RtpsTraffic::read_data(std::int64_t at, const rtps::Submessage& one, const 
     return;
   }
   if (announces_writers(data.writer)) return learn(data);
+  if (announces_readers(data.writer)) return learn_reader(data);
   if (data.writer.is_builtin() || data.is_key || data.payload.empty()) return;
   const std::uint32_t bytes =
       data.fragment_size > 0 ? data.sample_size : static_cast<std::uint32_t>(data.payload.size());
@@ -116,6 +122,23 @@ void RtpsTraffic::learn(const rtps::Data& data) {
   writer.topic = printable(told->topic);
   writer.type = ros_type(printable(told->type));
   writer.offered = to_offered(*told);
+}
+
+void RtpsTraffic::learn_reader(const rtps::Data& data) {
+  const auto told = rtps::read_endpoint(data.payload);
+  if (!told || data.status != 0 || told->topic.empty()) return;
+  const auto [found, is_new] = readers_.try_emplace(printable(told->topic), told->guid.prefix);
+  if (!is_new) found->second = std::min(found->second, told->guid.prefix);
+}
+
+/// Of the participants that write or read topics.
+std::map<rtps::GuidPrefix, std::uint32_t> RtpsTraffic::numbers() const {
+  std::map<rtps::GuidPrefix, std::uint32_t> numbers;
+  for (const auto& [guid, writer] : writers_) numbers[guid.prefix] = 0;
+  for (const auto& [topic, prefix] : readers_) numbers[prefix] = 0;
+  std::uint32_t next = 0;
+  for (auto& [prefix, number] : numbers) number = next++;
+  return numbers;
 }
 
 void RtpsTraffic::finish(Collector& into) const {
@@ -140,11 +163,26 @@ void RtpsTraffic::finish(Collector& into) const {
         fmt::format("{} writer{} not announced in the capture, which began later: {} under "
                     "unknown_writer_GUID, without a type or QoS",
                     unknown, unknown == 1 ? " is" : "s are", unknown == 1 ? "it is" : "they are"));
+  tell_participants(into);
   note_addresses(into);
   if (malformed_ > 0) into.note(fmt::format("{} RTPS messages are malformed", malformed_));
   if (encrypted_ > 0)
     into.note(
         fmt::format("{} RTPS submessages are encrypted; their samples are not seen", encrypted_));
+}
+
+void RtpsTraffic::tell_participants(Collector& into) const {
+  const auto number_of = numbers();
+  for (const bool is_silent : {false, true}) {  // those with samples are the first to count
+    for (const auto& [guid, writer] : writers_) {
+      if (writer.samples.empty() != is_silent) continue;
+      std::optional<std::uint32_t> reader;
+      if (const auto found = readers_.find(writer.topic); found != readers_.end())
+        reader = number_of.at(found->second);
+      const std::string name = writer.topic.empty() ? unknown_writer(guid) : writer.topic;
+      into.participants(into.topic(name, "", std::nullopt), number_of.at(guid.prefix), reader);
+    }
+  }
 }
 
 void RtpsTraffic::note_addresses(Collector& into) const {

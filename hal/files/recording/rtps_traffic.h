@@ -48,10 +48,14 @@ class RtpsTraffic {
     rtps::GuidPrefix participant;
   };
   void read_data(std::int64_t at, const rtps::Submessage& one, const Sender& sender);
+  void tell_participants(Collector& into) const;
   void note_addresses(Collector& into) const;
   void learn(const rtps::Data& data);
+  void learn_reader(const rtps::Data& data);
+  std::map<rtps::GuidPrefix, std::uint32_t> numbers() const;
 
   std::map<rtps::Guid, Writer> writers_;
+  std::map<std::string, rtps::GuidPrefix> readers_;  ///< By topic: the least participant.
   std::uint64_t datagrams_ = 0, octets_ = 0, malformed_ = 0, encrypted_ = 0;
   std::size_t samples_ = 0;
 };

@@ -24,9 +24,9 @@ Plan full_plan() {
       {"a", best_effort, SizeCycle{{8000, 9}}, Periodic{12.5, 3ms}},
       {"b", all, UniformSizes{8, 4'000'000'000u}, Poisson{0.1}},
       {"c", all, SizeCycle{{64}}, Bursts{2, 20, 1ms}},
-      {"d", all, {}, Recorded{{{0ns, 8}, {7ns, 100}}, 920ms}},
+      {"d", all, {}, Recorded{{{0ns, 8}, {7ns, 100}}, 920ms, 10ms}, 3},
   };
-  plan.reads = {{"e", best_effort}, {"f", all}};
+  plan.reads = {{"e", best_effort}, {"f", all, 2}};
   return plan;
 }
 
@@ -56,8 +56,30 @@ TEST(Plan, IsTheSameAfterBeingWrittenAndRead) {
   EXPECT_EQ(recorded.samples[1].at, 7ns);
   EXPECT_EQ(recorded.samples[1].bytes, 100u);
   EXPECT_EQ(recorded.repeat_after, 920ms);
+  EXPECT_EQ(recorded.spread, 10ms);
+  EXPECT_EQ(read.writes[3].participant, 3u);
+  EXPECT_EQ(read.reads[1].participant, 2u);
   ASSERT_EQ(read.reads.size(), 2u);
   EXPECT_EQ(read.reads[1].qos, full_plan().reads[1].qos);
+}
+
+TEST(Plan, HasAPartForEachParticipant) {
+  Plan plan = full_plan();
+  plan.flows = {{9000, {"10.77.0.3"}, {}}};
+  plan.ports = {9001};
+  EXPECT_EQ(participants_of(plan), (std::vector<std::uint32_t>{0, 2, 3}));
+  const Plan first = part_of(plan, 0), second = part_of(plan, 2), third = part_of(plan, 3);
+  EXPECT_EQ(first.writes.size(), 3u);
+  EXPECT_EQ(first.reads.size(), 1u);
+  EXPECT_EQ(first.flows.size(), 1u);
+  EXPECT_EQ(first.ports.size(), 1u);
+  EXPECT_TRUE(second.writes.empty() && second.flows.empty() && second.ports.empty());
+  EXPECT_EQ(second.reads.at(0).name, "f");
+  EXPECT_EQ(third.writes.at(0).name, "d");
+  EXPECT_TRUE(third.reads.empty());
+  plan.writes.clear();
+  plan.reads.clear();
+  EXPECT_EQ(participants_of(plan), std::vector<std::uint32_t>{0});  // it has the flows
 }
 
 TEST(Plan, RefusesWhatIsNone) {

@@ -174,5 +174,28 @@ TEST(Schedule, OfARecordingThatRepeatsGoesOn) {
   EXPECT_EQ(due[3].bytes, 12u);
 }
 
+TEST(Schedule, OfARecordingIsShiftedForEachParticipant) {
+  const auto first = [](std::uint32_t participant, hal::Duration spread, std::uint64_t seed = 3) {
+    WrittenTopic topic = topic_with(Recorded{{{2s, 100}, {3s, 100}}, {}, spread});
+    topic.participant = participant;
+    const auto due = drawn(plan_of(seed), topic, 2);
+    EXPECT_EQ(due[1].at - due[0].at, 1s);  // of one participant: as recorded
+    return due[0].at;
+  };
+  const hal::Duration alone = first(0, 10ms);
+  EXPECT_EQ(alone, 2s + recording_shift(plan_of(3)));
+  EXPECT_EQ(first(1, 0ms), alone);
+  EXPECT_EQ(first(1, 10ms), first(1, 10ms));
+  EXPECT_NE(first(1, 10ms), first(2, 10ms));
+  EXPECT_NE(first(1, 10ms) - alone, first(1, 10ms, 4) - first(0, 10ms, 4));
+  hal::Duration least = 1s, most = 0s;
+  for (std::uint32_t one = 1; one <= 100; ++one) {
+    least = std::min(least, first(one, 10ms) - alone);
+    most = std::max(most, first(one, 10ms) - alone);
+  }
+  // Of 100 uniform draws none is in a tenth of the range with a probability of 0.9^100 = 3e-5.
+  EXPECT_TRUE(least >= 0ms && least < 1ms && most > 9ms && most < 10ms);
+}
+
 }  // namespace
 }  // namespace programs::topics

@@ -1,11 +1,15 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
+#include <utility>
 
+#include "hal/files/config/errors.h"
 #include "sim/scenario/plan.h"
 #include "sim/scenario/resolved.h"
 #include "sim/scenario/topic_parts.h"
@@ -169,6 +173,47 @@ TEST_F(Topics, OfARecordingThatItDoesNotHaveAreMistakes) {
                   .ends_with("topics.rename: plain.mcap has no topic 'rt/image'"));
   EXPECT_TRUE(
       mistakes("rename: {rt/scan: x, rt/odom: x}").ends_with("topics: r0 writes 'x' twice"));
+}
+
+TEST_F(Topics, ShareOutParticipantsAsTheirItemSays) {
+  const std::string rest = ", size: 8 B, rate: 1 Hz, readers: [base]";
+  const std::string capture = TESTS_DIR "/unit/sim/air/ledger/captures/cyclone_v4.pcap";
+  const Scenario scenario =
+      loaded("      - {name: a" + rest + "}\n      - {name: b, participants: topic" + rest +
+             "}\n      - {from: " + kBag + ", readers: [base]}\n      - {from: " + capture +
+             ", name: \"DDSPerf?Data*\", readers: [base]}\n      - {from: " + capture +
+             ", name: \"DDSPerf?Data*\", participants: agent, rename: {DDSPerfRDataKS: x, "
+             "DDSPerfUDataKS: y}, "
+             "readers: [base]}\n");
+  Recordings recordings;
+  const Group& group = scenario.groups.back();
+  std::map<std::string, std::pair<std::string, std::string>> names;
+  for (const TopicPart& part : written_topics(scenario, group, group.agents[0], recordings))
+    names[part.name] = {writing_participant(part), reading_participant(part)};
+  const std::pair<std::string, std::string> common;
+  EXPECT_EQ(names.at("a"), common);
+  EXPECT_EQ(names.at("b").first, "topic b");
+  EXPECT_EQ(names.at("b").second, "topic b");
+  EXPECT_EQ(names.at("rt/r0/scan"), common);  // a bag does not tell
+  EXPECT_EQ(names.at("x"), common);
+  const auto& [writer, reader] = names.at("r0/DDSPerfRDataKS");
+  EXPECT_NE(writer, reader);
+  EXPECT_THAT(writer, testing::HasSubstr(capture));
+  EXPECT_THAT(reader, testing::HasSubstr(capture));
+}
+
+TEST_F(Topics, RefuseParticipantsThatThereAreNot) {
+  const auto refused = [&](const std::string& item) {
+    try {
+      loaded("      - {" + item + ", readers: [base]}\n");
+    } catch (const hal::files::config::ConfigErrors& e) {
+      return e.messages().at(0);
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refused("name: a, size: 8 B, rate: 1 Hz, participants: recorded"),
+              testing::AllOf(testing::HasSubstr("robots.yaml:"), testing::HasSubstr("recorded")));
+  EXPECT_THAT(refused("from: " + kBag + ", spread: 2 s"), testing::HasSubstr("spread"));
 }
 
 }  // namespace

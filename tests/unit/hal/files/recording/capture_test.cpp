@@ -63,6 +63,15 @@ TEST(Capture, HoldsTheSamplesThatCycloneSentOncePerSample) {
             TopicQos::Reliability::kBestEffort);
 }
 
+TEST(Capture, TellsWhichParticipantsWriteAndReadATopic) {
+  // sim/air/ledger's captures: a ddsperf that publishes, and two that subscribe.
+  const Recording recording = read(real_capture("cyclone_v4.pcap"));
+  const RecordedTopic& topic = topic_of(recording, "DDSPerfRDataKS");
+  ASSERT_TRUE(topic.writer && topic.reader);
+  EXPECT_NE(*topic.writer, *topic.reader);
+  for (const RecordedTopic& one : recording.topics) EXPECT_LT(one.writer.value(), 3U) << one.name;
+}
+
 TEST(Capture, HoldsTheSamplesThatFastDdsSent) {
   const Recording recording = read(real_capture("fastdds_v6.pcap"));
   const RecordedTopic& topic = topic_of(recording, "camera");
