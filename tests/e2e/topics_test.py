@@ -253,7 +253,7 @@ class Topics(Case):
 
     def test_flows_of_udp_are_sent_and_received(self):
         plan = {"domain": 0, "seed": 1, "begin_ns": 10 ** 9, "writes": [], "reads": [], "flows": [], "ports": []}
-        flow = {"port": 9000, "to": ["10.77.0.2", "10.77.0.3"], "repeat_after_ns": 0,
+        flow = {"port": 9000, "to": ["10.77.0.2", "10.77.0.3"], "repeat_after_ns": 0, "spread_ns": 0,
                 "recorded": [[0, 100], [10 ** 6, 1472], [2 * 10 ** 6, 5000]]}
         scenario = ("version: 1\nradio: {profile: ieee80211g}\nrouting: none\nrecord: {air: air.pcapng}\n"
                     "end: [{at: 4 s, result: done}]\nagents:\n")
