@@ -13,6 +13,7 @@
 #include "baraka/campaign/campaign_status.h"
 #include "baraka/campaign/check_campaign.h"
 #include "baraka/campaign/slurm_campaign.h"
+#include "baraka/fleet/fleet_needs.h"
 #include "hal/files/config/errors.h"
 #include "hal/files/config/shared_folders.h"
 #include "hal/types/terminal_colours.h"
@@ -41,21 +42,36 @@ constexpr const char* kTable = "fleet.csv";
 
 struct LoadedFleet {
   fs::path path;
+  fs::path scenario;
   FleetFile file;
   FleetPlan plan;
 };
 
-LoadedFleet load(const std::string& path, const std::vector<std::string>& overrides) {
+enum class Numbers : std::uint8_t { kAll, kExtremes };
+
+LoadedFleet load(const std::string& path, const std::vector<std::string>& overrides,
+                 Numbers numbers = Numbers::kAll) {
   LoadedFleet fleet;
   fleet.path = hal::files::config::named_file(path, {"fleets"});
   fleet.file = results::fleet::load_fleet(fleet.path, overrides);
+  std::vector<int>& robots = fleet.file.robots;
+  if (numbers == Numbers::kExtremes && robots.size() > 2)
+    robots.erase(robots.begin() + 1, robots.end() - 1);
   results::campaign::CampaignFile named;
   named.scenario = fleet.file.scenario;
   named.scenario_place = fleet.file.scenario_place;
-  const fs::path scenario = campaign::scenario_file(named, fleet.path);
-  fleet.plan =
-      results::fleet::plan_of(fleet.file, results::fleet::fleet_scenario(scenario, fleet.file));
+  fleet.scenario = campaign::scenario_file(named, fleet.path);
+  fleet.plan = results::fleet::plan_of(fleet.file,
+                                       results::fleet::fleet_scenario(fleet.scenario, fleet.file));
   return fleet;
+}
+
+/// @throws ConfigErrors  a case has mistakes, or a need is about nothing.
+campaign::CheckedCampaign checked(const LoadedFleet& fleet) {
+  campaign::CheckedCampaign all = campaign::check_points(fleet.plan.campaign, fleet.path);
+  std::vector<std::string> needs = unmatched_needs(fleet.file, fleet.plan, fleet.scenario);
+  if (!needs.empty()) throw hal::files::config::ConfigErrors(std::move(needs));
+  return all;
 }
 
 /// The runs of a case that have ended well, and how many failed.
@@ -137,24 +153,24 @@ int run_fleet(const CampaignOptions& options) {
   const LoadedFleet fleet = load(options.file, options.overrides);
   const fs::path folder = folder_of(fleet, options);
   if (options.cancel) return campaign::cancel_campaign(folder);
-  const campaign::CheckedCampaign checked = campaign::check_points(fleet.plan.campaign, fleet.path);
+  const campaign::CheckedCampaign wanted = checked(fleet);
   if (options.status) {
-    require_same(checked, folder);
+    require_same(wanted, folder);
     const int status = campaign::print_status(folder);
     write_answer(fleet, folder);
     return status;
   }
   CampaignOptions own = options;
   own.tells_points = false;
-  const int status = campaign::run_checked(checked, fleet.path, own);
+  const int status = campaign::run_checked(wanted, fleet.path, own);
   write_answer(fleet, folder);
   return status;
 }
 
 std::vector<std::string> check_fleet(const std::string& path,
                                      const std::vector<std::string>& overrides) {
-  const LoadedFleet fleet = load(path, overrides);
-  return campaign::check_points(fleet.plan.campaign, fleet.path).warnings;
+  // What is wrong with a number of robots is wrong with the least or with the greatest one.
+  return checked(load(path, overrides, Numbers::kExtremes)).warnings;
 }
 
 }  // namespace baraka::fleet

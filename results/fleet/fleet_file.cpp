@@ -10,6 +10,7 @@
 
 #include "hal/files/config/document.h"
 #include "hal/files/config/errors.h"
+#include "hal/files/config/paths_beside.h"
 #include "hal/files/config/shared_folders.h"
 #include "hal/files/description/field_io.h"
 #include "hal/files/description/names.h"
@@ -23,12 +24,19 @@ using campaign::FactorValue;
 using hal::files::config::Form;
 using hal::files::config::Key;
 using hal::files::config::Mapping;
+using hal::files::config::with_paths_beside;
 using hal::files::config::WrittenEntry;
 using hal::files::description::FieldReader;
 using hal::files::description::Fields;
 
 constexpr int kMostRobots = 1000;
 constexpr double kLongest = 1e6;  // s
+
+/// Folder of the file in "file:line:column".
+fs::path folder_of(const std::string& place) {
+  const std::size_t line = place.rfind(':', place.rfind(':') - 1);
+  return fs::path(place.substr(0, line)).parent_path();
+}
 
 std::vector<FactorValue> values_in(Mapping& in) {
   std::vector<FactorValue> values;
@@ -37,7 +45,9 @@ std::vector<FactorValue> values_in(Mapping& in) {
       in.mistake(entry.key, "each replication has a seed of its own; see `seed` of the fleet");
       continue;
     }
-    values.push_back({entry.key, entry.value.text, entry.value.yaml, entry.value.place});
+    const std::string& place = entry.value.place;
+    values.push_back({entry.key, entry.value.text,
+                      with_paths_beside(entry.key, entry.value.yaml, folder_of(place)), place});
   }
   return values;
 }
@@ -54,8 +64,11 @@ void read_if_there(Fields& io, const Key& key, Form::Kind form,
 }
 
 void set_key(Fields& io, FleetFile& fleet) {
-  const Key key{"set", "Keys of the scenario, as dotted paths, that are set in every run.",
-                "{agents.robots.topics: [{from: lab.mcap, readers: [base]}]}"};
+  const Key key{
+      "set",
+      "Keys of the scenario, as dotted paths, that are set in every run. Paths of files are "
+      "relative to this file, here and in `radios`, `sites` and `profiles`.",
+      "{agents.robots.topics: [{from: lab.mcap, readers: [base]}]}"};
   read_if_there(io, key, Form::Kind::kMapping, [&](Mapping& in) {
     Mapping inner = in.mapping(key);
     fleet.set = values_in(inner);
@@ -80,9 +93,7 @@ void variants_key(Fields& io, const Key& key, std::vector<Variant>& variants) {
 
 /// A profile's file: beside the fleet file, otherwise one of those that come with BARAKA.
 fs::path found_profile(Mapping& in, const std::string& file) {
-  const std::string place = in.place("file");
-  const std::size_t line = place.rfind(':', place.rfind(':') - 1);
-  const fs::path beside = fs::path(place.substr(0, line)).parent_path() / file;
+  const fs::path beside = folder_of(in.place("file")) / file;
   if (fs::is_regular_file(beside)) return fs::absolute(beside).lexically_normal();
   try {
     return fs::absolute(hal::files::config::named_file(file, {"dds"}));

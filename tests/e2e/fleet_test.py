@@ -4,6 +4,7 @@ import contextlib
 import json
 import pathlib
 import re
+import shutil
 import sqlite3
 import sys
 import unittest
@@ -110,6 +111,35 @@ class Answer(Fleets):
         self.assertRegex(finished.out, r"(?m)^fewer than 1 robots with .*\*/scan fails first: some samples never arrive\. Cause: no access point")
 
 
+    def test_robots_with_bodies_drive_while_they_are_asked_and_walls_cut_them_off(self):
+        scenario = json.loads(json.dumps(SCENARIO))
+        robots = scenario["agents"]["robots"]
+        del robots["station"]
+        robots |= {"robot": {"include": str(ROOT / "config/robots/robertino.yaml")},
+                   "controller": {"program": "wanderer", "parameters": {"speed": "0.3 m/s"}}}
+        scenario["radio"]["obstacles"] = True
+        scenario["agents"]["base"]["poses"] = [{"x": "1 m", "y": "0 m"}]
+        self.write("hall.yaml", scenario)
+        ring = [{"name": f"wall{i}", "size": ["40 m", "20 cm", "2 m"] if i < 2 else ["20 cm", "40 m", "2 m"],
+                 "position": [f"{x} m", f"{y} m"], "radio_loss": {"per_crossing": "60 dB"}}
+                for i, (x, y) in enumerate([(0, 3), (0, -3), (3, 0), (-3, 0)])]
+        finished = self.fleet({**FLEET, "robots": {"group": "robots", "from": 1, "to": 2}, "replications": 1,
+                               "sites": {"open": {}, "walled": {"world.walls": ring}}})
+        self.assertRegex(finished.out, r"(?m)^open: at least 2 robots ")
+        self.assertRegex(finished.out, r"(?m)^walled: fewer than 1 robots .*Cause: no access point")
+        with contextlib.closing(sqlite3.connect(f"file:{self.out}/runs/p002-r01/run.sqlite?mode=ro", uri=True)) as database:
+            [[least]] = database.execute("""SELECT MIN(way) FROM (SELECT MAX(ABS(p.x_m - q.x_m) + ABS(p.y_m - q.y_m)) way FROM poses p
+                JOIN poses q USING (agent) JOIN agents USING (agent) WHERE name LIKE 'r_' GROUP BY agent)""").fetchall()
+        self.assertGreater(least, 0.5)
+
+    def test_paths_in_the_file_are_relative_to_it(self):
+        shutil.copy(ROOT / "tests/unit/hal/files/recording/bags/plain.mcap", self.folder / "lab.mcap")
+        finished = self.fleet({**FLEET, "robots": {"group": "robots", "from": 1, "to": 1}, "replications": 1, "until": "4 s",
+                               "need": [{"topic": "*/scan", "delivered": "99 %"}],
+                               "set": {"agents.robots.topics": [{"from": "lab.mcap", "repeat": True, "readers": ["base"]}]}})
+        self.assertRegex(finished.out, r"(?m)^1 +rt/\*/scan ", finished.err)
+
+
 class GoingOn(Fleets):
     def test_after_ctrl_c_it_goes_on_to_the_same_answer(self):
         whole = self.fleet(FLEET, out=self.folder / "whole")
@@ -169,6 +199,16 @@ class Mistakes(Fleets):
         self.refused({**FLEET, "profiles": {"a": {"vendor": "opendds"}}}, "fleet.yaml:", "not one of cyclonedds, fastdds")
         self.refused({**FLEET, "radios": {"a": {"radio.data_rat": "6 Mb/s"}}}, "fleet.yaml:", "data_rat")
         self.refused({**FLEET, "until": "1 s"}, "fleet.yaml:", "must be later than `warm_up`")
+
+    def test_a_need_about_no_topic_is_told_before_the_first_run(self):
+        for need in ({"topic": "*/scnn", "delivered": "99 %"}, {"topic": "*/scan", "readers": "r0", "delivered": "99 %"}):
+            content = {**FLEET, "need": [{"topic": "*/scan", "p95": "1 s"}, need]}
+            words = "fleet.yaml:", "need: no topic like", "(5 robots); there are rt/*/odom, rt/*/scan to base"
+            self.refused(content, *words)
+            refused = self.begin(content).finish()
+            self.assertEqual(refused.status, 2, str(refused))
+            self.assertIn(words[-1], refused.err)
+            self.assertFalse(self.out.exists())
 
 
 if __name__ == "__main__":
