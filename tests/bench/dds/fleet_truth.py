@@ -2,12 +2,13 @@
 """Is the answer of `baraka fleet` from a recording that of the programs themselves?
 
     cmake --build build/release --target baraka baraka-holder baraka-topics-cyclonedds cyclone_load
-    tests/bench/dds/fleet_truth.py [--fleets N...] [--runs N] [--seconds S] [--out DIR]
+    tests/bench/dds/fleet_truth.py [--fleets N...] [--runs N] [--seconds S] [--again] [--out DIR]
 
 Ten fleets: three mixes of topics, 802.11g, n and ac, one and two access points. Of each, one robot's programs (Cyclone DDS, a
 process for each topic) run with a base for `--recorded` seconds, and what the robot's radio sends and receives is captured. Then
 the fleet is asked twice for the same numbers of robots: with the topics of the capture, played by baraka-topics-cyclonedds,
 and with those programs in every robot. Compared are the largest numbers of robots and, where both hold, shares and latencies.
+With --again the first answer is that of the programs, too, with other seeds: what the numbers of few runs are worth.
 """
 import argparse
 import csv
@@ -99,11 +100,11 @@ def record(options, fleet, folder):
     return folder / "one" / "robot.pcapng"
 
 
-def ask(options, fleet, folder, kind, robots, base):
+def ask(options, fleet, folder, kind, robots, base, *, seed=1):
     """The largest number of robots, and the means by number and topic."""
     write(folder / f"{kind}_scenario.yaml", scenario(fleet, robots, base))
     file = write(folder / f"{kind}.yaml", {
-        "version": 1, "scenario": f"{kind}_scenario.yaml", "need": NEED, "replications": options.runs,
+        "version": 1, "scenario": f"{kind}_scenario.yaml", "need": NEED, "replications": options.runs, "seed": seed,
         "robots": {"group": "robots", "from": fleet[4][0], "to": fleet[4][-1], "step": fleet[4][1] - fleet[4][0]},
         "warm_up": "5 s", "until": f"{5 + options.seconds} s"})
     out = baraka(options, "fleet", file, "--out", folder / kind)
@@ -128,14 +129,22 @@ def differences(from_recording, from_programs, largest):
     return max(shares), max(medians)
 
 
-def compared(options, number, folder):
-    fleet = FLEETS[number - 1]
+def ask_programs(options, fleet, folder, kind, seed=1):
+    return ask(options, fleet, folder, kind, {"programs": writers(options, fleet[0])}, {"programs": readers(options, fleet[0])},
+               seed=seed)
+
+
+def ask_recording(options, fleet, folder):
     capture = record(options, fleet, folder)
     names = {f"rt/{name}": f"rt/{name}" for name, *_ in MIXES[fleet[0]]}
     items = [{"from": str(capture), "name": name, "rename": {name: name}, "readers": ["base"], "history": 10} for name in names]
-    played = ask(options, fleet, folder, "recording", {"topics": items}, {})
-    ran = ask(options, fleet, folder, "programs", {"programs": writers(options, fleet[0])},
-              {"programs": readers(options, fleet[0])})
+    return ask(options, fleet, folder, "recording", {"topics": items}, {})
+
+
+def compared(options, number, folder):
+    fleet = FLEETS[number - 1]
+    ran = ask_programs(options, fleet, folder, "programs")
+    played = ask_programs(options, fleet, folder, "again", 1001) if options.again else ask_recording(options, fleet, folder)
     both = min(played[0], ran[0])
     share, median = differences(played[1], ran[1], both)
     steps = [0, *fleet[4]]
@@ -150,10 +159,12 @@ def main():
     parser.add_argument("--runs", type=int, default=2)
     parser.add_argument("--seconds", type=float, default=20)
     parser.add_argument("--recorded", type=float, default=60)
+    parser.add_argument("--again", action="store_true")
     parser.add_argument("--out", type=pathlib.Path)
     options = parser.parse_args()
-    print("| fleet | topics | radio | access points | from the recording | from the programs | numbers off | share, points | median | "
-          "cause, recording | cause, programs |\n" + "|---" * 11 + "|", flush=True)
+    first = "the programs, other seeds" if options.again else "the recording"
+    print(f"| fleet | topics | radio | access points | from {first} | from the programs | numbers off | share, points | median | "
+          f"cause, {first} | cause, programs |\n" + "|---" * 11 + "|", flush=True)
     with tempfile.TemporaryDirectory() as temporary:
         for number in options.fleets:
             folder = (options.out or pathlib.Path(temporary)) / f"fleet{number}"
