@@ -86,6 +86,7 @@ int play_apart(const std::vector<std::uint32_t>& participants, const PlayPart& p
   sigaddset(&child, SIGCHLD);
   ::sigprocmask(SIG_BLOCK, &child, nullptr);
   std::vector<Process> processes;
+  processes.reserve(participants.size());
   for (const std::uint32_t one : participants) processes.push_back(begin(one, play));
   const int signal = await_end(signals);
   for (const Process& one : processes) ::kill(one.id, signal);
