@@ -1,6 +1,7 @@
 #include "baraka/commands/report_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "gateway/process/exit_status.h"
 #include "hal/files/config/document.h"
 #include "hal/files/config/shared_folders.h"
+#include "hal/types/pattern.h"
 #include "hal/types/printable.h"
 #include "hal/types/terminal_colours.h"
 #include "results/report/csv.h"
@@ -168,17 +170,44 @@ const Experiment& only_one(const std::vector<Experiment>& experiments) {
       "a figure is of one experiment: name one campaign, or folders of results");
 }
 
-/// Prints the figure as a table, or writes it to a file in the format given by the file's
-/// extension.
-int report_figure(const results::report::Sources& sources, const ReportOptions& options) {
+/// The quantities that a pattern stands for; the name itself, if it is none or matches none.
+std::vector<std::string> figures_of(const Experiment& experiment, const std::string& figure) {
+  const bool is_pattern = figure.find_first_of("*?") != std::string::npos;
+  if (!is_pattern || experiment.units.contains(figure)) return {figure};
+  std::vector<std::string> names;
+  for (const auto& [name, unit] : experiment.units) {
+    if (hal::matches(figure, name)) names.push_back(name);
+  }
+  if (names.empty()) names.push_back(figure);
+  return names;
+}
+
+void print_figure(const Experiment& experiment, const PlotRequest& request) {
+  fmt::print("{}{}", hal::printable_lines(plot_text(make_plot(experiment, request))),
+             hal::printable_lines(pairs_text(experiment, request)));
+}
+
+/// Prints the figure as a table, those of a pattern one below the other, or writes it to a file in
+/// the format given by the file's extension.
+int report_figure(const results::report::Sources& sources, ReportOptions options) {
   const Experiment& experiment = only_one(sources.experiments);
-  const PlotRequest request = request_of(experiment, options);
-  const results::report::Plot plot = make_plot(experiment, request);
+  const std::vector<std::string> names = figures_of(experiment, options.figure);
+  if (names.size() > 1 && !options.file.empty()) {
+    throw std::runtime_error(fmt::format("-o {}: a file has one figure, and {} stands for {}: {}",
+                                         options.file, options.figure, names.size(),
+                                         fmt::join(names, ", ")));
+  }
   if (options.file.empty()) {
-    fmt::print("{}{}", hal::printable_lines(plot_text(plot)),
-               hal::printable_lines(pairs_text(experiment, request)));
+    for (const std::string& name : names) {
+      options.figure = name;
+      if (name != names.front()) fmt::print("\n");
+      print_figure(experiment, request_of(experiment, options));
+    }
     return gateway::process::kDone;
   }
+  options.figure = names.front();
+  const PlotRequest request = request_of(experiment, options);
+  const results::report::Plot plot = make_plot(experiment, request);
   if (options.file.ends_with(".json")) {
     write_output(options.file, plot_json(plot, experiment.points.empty() ? "" : experiment.label(0),
                                          results::report::paired_differences(experiment, request)));

@@ -12,7 +12,7 @@ namespace baraka::commands {
 struct ReportOptions {
   std::vector<std::string> folders;  ///< Folders of results or campaigns.
   std::string file;    ///< Page (.html), figure (.svg) or its data (.csv) to write; empty: print.
-  std::string figure;  ///< Name of a quantity; empty: the whole report.
+  std::string figure;  ///< Quantity, or a pattern of several; empty: the whole report.
   std::string versus, by, agent;  ///< Override the keys of `report:`; empty: no override.
   std::optional<sim::scenario::PlotKind> as;
   std::optional<sim::scenario::IntervalKind> interval;

@@ -48,8 +48,10 @@ Subcommand add_report(CLI::App& app) {
   add->add_option("-o", options.file,
                   "Write to this file, print no tables: a page with all figures (.html), one "
                   "figure (.svg) or its data (.csv, .json)");
-  add->add_option("--figure", options.figure,
-                  "One quantity of `baraka describe observables`, or one of the scenario's report");
+  add->add_option(
+      "--figure", options.figure,
+      "A quantity of `baraka describe observables`, or one of the scenario's report; without "
+      "-o also a pattern of several, with * and ?");
   add->add_option("--versus", options.versus, "Key of the setting along the axis");
   add->add_option("--by", options.by, "Key of the setting with a curve for each value");
   add->add_option("--agent", options.agent, "Agent, for a quantity of agents");

@@ -235,6 +235,16 @@ class InCampaigns(Topics):
         drawn = Program("baraka", "report", self.out, "--figure", "dds.listeners1.cam%2Eleft.latency.p95", "-o", figure).finish()
         self.assertEqual(drawn.status, 0, str(drawn))
         self.assertIn("latency.p95", figure.read_text(encoding="utf-8"))
+        pattern = "dds.*.first_try_share"
+        several = Program("baraka", "report", self.out, "--figure", pattern, "--as", "table").finish()
+        topics = {name for name, in self.ask(f"SELECT DISTINCT name FROM observables WHERE name GLOB '{pattern}'")}
+        self.assertGreater(len(topics), 1)
+        self.assertIn(report.out.strip(), several.out)
+        tables = [line.split(": ")[0] for line in several.out.splitlines() if "mean over runs" in line]
+        self.assertEqual(tables, sorted(topics), several.out)
+        drawn = Program("baraka", "report", self.out, "--figure", pattern, "-o", figure).finish()
+        self.assertNotEqual(drawn.status, 0)
+        self.assertIn(f"a file has one figure, and {pattern} stands for {len(topics)}: dds.", drawn.err)
 
     def test_an_interrupted_campaign_goes_on_and_each_run_is_the_single_run(self):
         content = self.content(replications=8)
