@@ -90,7 +90,7 @@ Holder::Holder(const std::filesystem::path& program, const std::filesystem::path
 }
 
 Holder::~Holder() {
-  constexpr int kPatience = 5000;  // ms
+  constexpr int kPatience = 15'000;  // ms, longer than init gives the programs
   const FileDescriptor process(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
   // Init closes the socket of events when it ends, and the holder ends after init.
   pollfd ended{process.get(), POLLIN, 0};

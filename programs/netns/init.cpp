@@ -168,7 +168,7 @@ class Init {
   }
 
   void end_programs() const {
-    constexpr std::chrono::seconds kGrace{2};
+    constexpr std::chrono::seconds kGrace{10};  // of a busy computer, too, for journals
     kill(-1, SIGTERM);
     kill(-1, SIGCONT);
     const auto end = std::chrono::steady_clock::now() + kGrace;

@@ -109,7 +109,7 @@ class Namespaces {
   /// Makes the namespaces; takes some milliseconds per agent.
   /// @throws std::runtime_error  one sentence: what is missing or refused, and how to allow it.
   explicit Namespaces(const Settings& settings);
-  /// Ends everything inside: SIGTERM, after 2 s SIGKILL; waits until it has ended.
+  /// Ends everything inside: SIGTERM, after 10 s SIGKILL; waits until it has ended.
   ~Namespaces();
   Namespaces(const Namespaces&) = delete;
   Namespaces& operator=(const Namespaces&) = delete;
