@@ -54,6 +54,7 @@ int play_participant(const Plan& plan, const MakeParticipant& make, const sigset
   const Instant start = std::chrono::steady_clock::now();
   Journal journal(plan.name);
   Ending ending;
+  ending.sleep_until(start + participant_shift(plan));
   const std::unique_ptr<Participant> participant = make(plan, journal);
   for (const ReadTopic& topic : plan.reads) participant->read(topic);
   std::vector<std::thread> threads;

@@ -28,6 +28,14 @@ hal::Duration recording_shift(const Plan& plan) {
   return hal::from_seconds(hal::RandomStream(plan.seed, plan.name + "/topics/recording").uniform());
 }
 
+hal::Duration participant_shift(const Plan& part) {
+  const auto is_recorded = [](const WrittenTopic& topic) {
+    return std::holds_alternative<Recorded>(topic.rhythm);
+  };
+  if (part.writes.empty() || !std::ranges::all_of(part.writes, is_recorded)) return {};
+  return shift_of(part, part.writes.front());
+}
+
 std::optional<DueSample> sample_of(const Recorded& recording, std::uint64_t index) {
   const std::size_t count = recording.samples.size();
   if (count == 0 || (index >= count && recording.repeat_after <= hal::Duration::zero()))

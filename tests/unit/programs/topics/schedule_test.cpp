@@ -197,5 +197,18 @@ TEST(Schedule, OfARecordingIsShiftedForEachParticipant) {
   EXPECT_TRUE(least >= 0ms && least < 1ms && most > 9ms && most < 10ms);
 }
 
+TEST(Schedule, BeginsWithItsParticipantIfItHasRecordingsOnly) {
+  Plan plan = plan_of(3);
+  EXPECT_EQ(participant_shift(plan), 0ns);
+  plan.writes = {topic_with(Recorded{{{2s, 100}}, {}, 10ms})};
+  EXPECT_EQ(participant_shift(plan), recording_shift(plan));
+  plan.writes[0].participant = 1;
+  const hal::Duration shift = participant_shift(plan);
+  EXPECT_GT(shift, recording_shift(plan));
+  EXPECT_EQ(drawn(plan, plan.writes[0], 1).at(0).at, 2s + shift);
+  plan.writes.push_back(topic_with(Periodic{10, {}}));
+  EXPECT_EQ(participant_shift(plan), 0ns);
+}
+
 }  // namespace
 }  // namespace programs::topics
