@@ -11,11 +11,11 @@ namespace fs = std::filesystem;
 
 /// How the interpreter finds the package: its main file by its place, in a build or installation.
 std::vector<std::string> package_words() {
-  std::error_code unreadable;
-  const fs::path self = fs::read_symlink("/proc/self/exe", unreadable);
+  std::error_code ignored;
+  const fs::path self = fs::read_symlink("/proc/self/exe", ignored);
   for (const char* const place : {"python", "../lib/python3/dist-packages"}) {
     const fs::path main = (self.parent_path() / place / "baraka/__main__.py").lexically_normal();
-    if (!unreadable && fs::is_regular_file(main, unreadable)) return {main.string()};
+    if (!self.empty() && fs::is_regular_file(main, ignored)) return {main.string()};
   }
   return {"-m", "baraka"};
 }
