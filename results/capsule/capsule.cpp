@@ -51,6 +51,7 @@ std::string play_script(const Study& content) {
 # Plays every run of this capsule again and compares fingerprints: ./play.sh [BARAKA]
 # Status 0: all are equal; 1: at least one is not.
 baraka=${{1:-baraka}}
+case $baraka in /*) ;; */*) baraka=$PWD/$baraka ;; esac
 cd "$(dirname "$0")" || exit 1
 export BARAKA_CONTROLLER_PATH="$PWD/controllers${{BARAKA_CONTROLLER_PATH:+:$BARAKA_CONTROLLER_PATH}}"
 results=$(mktemp -d) || exit 1

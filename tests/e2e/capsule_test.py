@@ -59,6 +59,9 @@ class Capsule(Case):
         self.assertEqual(manifest["runs"][0]["fingerprint"], run["fingerprint"])
         played = self.play(folder)
         self.assertEqual((played.returncode, played.stdout), (0, f"equal: seed 4: {run['fingerprint']}\n"), played.stderr)
+        # The program's place may be given as seen from where the caller is.
+        beside = subprocess.run([folder / "play.sh", f"{BIN.name}/baraka"], cwd=BIN.parent, capture_output=True, text=True, check=False)
+        self.assertEqual((beside.returncode, beside.stdout), (0, played.stdout), beside.stderr)
         # Another controller is another run.
         file = folder / "controllers/travel.py"
         file.write_text(file.read_text().replace("0.25, 0.25", "0.25, 0.2").replace("p[\"speed\"]", "0.5 * p[\"speed\"]"))
