@@ -15,6 +15,9 @@
 #     lib/systemd     the service of an agent; lib/sysusers.d: its user
 #   sdf (baraka-sdf)
 #     bin             baraka-sdf, if its libraries are there
+#   python (python3-baraka)
+#     lib/python3     the package baraka, where Debian's Python looks if the prefix is /usr
+#     lib/baraka      libbaraka_python.so: Python inside `baraka`
 #   doc (baraka-doc)
 #     share/doc       the site of docs/, if it was built
 # No file knows the prefix: programs find the rest from where they are.

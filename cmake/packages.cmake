@@ -28,6 +28,8 @@ are programs that talk Fast DDS; the same file drives a simulated robot and a re
 
 With scenarios, robots, radios, controllers, and templates for controllers of one's own.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS zstd)  # with which tar reads capsules
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "python3-baraka, baraka-sdf, libbaraka-dev, baraka-doc")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libbaraka-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
@@ -51,11 +53,15 @@ set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-baraka)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_DESCRIPTION "controllers for BARAKA in Python
-`import baraka`, and `program: my_robot.py` in a scenario.")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "controllers, results and environments of BARAKA in Python
+`import baraka`, and `program: my_robot.py` in a scenario. Tables of results as pandas frames, figures
+by matplotlib, and scenarios as environments for learning.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "baraka (= ${PROJECT_VERSION}), python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas, python3-matplotlib")  # results and figures
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/python/postinst
+    ${PROJECT_SOURCE_DIR}/cmake/python/prerm)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_SDF_PACKAGE_NAME baraka-sdf)
 set(CPACK_DEBIAN_SDF_DESCRIPTION "reads robots in URDF and SDF for BARAKA

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The Debian packages that `./setup packages` builds. What a root with nothing else makes of them is
-shown by new_user.sh. Without dpkg-dev and file it is skipped (status 77)."""
+shown by new_user.sh and new_user_python.sh. Without dpkg-dev and file it is skipped (status 77)."""
 import os
 import pathlib
 import re
@@ -15,8 +15,10 @@ from baraka import BIN, ROOT, Case, Finished
 SITE = BIN.parent / "site"
 SITE_WAS_BUILT = (SITE / "index.html").exists()
 SDF_WAS_BUILT = (BIN / "baraka-sdf").exists()
+PYTHON_WAS_BUILT = (BIN / "libbaraka_python.so").exists()
+MODULES = "/usr/lib/python3/dist-packages/baraka"
 PACKAGES = ("baraka", "libbaraka-dev", "baraka-agentd", *(["baraka-doc"] if SITE_WAS_BUILT else []),
-            *(["baraka-sdf"] if SDF_WAS_BUILT else []))
+            *(["baraka-sdf"] if SDF_WAS_BUILT else []), *(["python3-baraka"] if PYTHON_WAS_BUILT else []))
 
 
 def output(*command, **options):
@@ -44,8 +46,8 @@ class Packages(Case):
     def field(self, package, name):
         return output("dpkg-deb", "-f", self.debs[package], name).strip()
 
-    def baraka(self, *arguments):
-        environment = {key: os.environ[key] for key in ("PATH", "HOME") if key in os.environ}
+    def baraka(self, *arguments, **more):
+        environment = {key: os.environ[key] for key in ("PATH", "HOME") if key in os.environ} | more
         done = subprocess.run([self.root / "usr/bin/baraka", *map(str, arguments)], env=environment,
                               cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
                               timeout=300)
@@ -91,10 +93,10 @@ class Packages(Case):
         self.assertEqual(packed, built)
 
     def test_depend_on_the_libraries_their_programs_were_linked_with(self):
-        for package, library in (("baraka", "libode"), ("baraka", "libfcl"), ("baraka", "libfastrtps"), ("baraka", "libddsc"),
+        for package, library in (("baraka", "libode"), ("baraka", "libfastrtps"), ("baraka", "libddsc"),
                                  ("baraka-agentd", "libfastrtps"), ("baraka-agentd", "libcpp-httplib")):
             self.assertRegex(self.field(package, "Depends"), rf"\b{library}\S* \(>= [0-9]")
-        self.assertNotRegex(self.field("baraka-agentd", "Depends"), "libode|libfcl")
+        self.assertNotIn("libode", self.field("baraka-agentd", "Depends"))
         version = self.field("baraka", "Version")
         for package in ("libbaraka-dev", "baraka-agentd"):
             self.assertEqual(self.field(package, "Version"), version)
@@ -106,6 +108,45 @@ class Packages(Case):
         for library in ("libsdformat12", "libassimp5", "libtinyxml2"):
             self.assertRegex(self.field("baraka-sdf", "Depends"), rf"\b{library}")
             self.assertNotIn(library, self.field("baraka", "Depends"))
+
+    @unittest.skipUnless(PYTHON_WAS_BUILT, "needs python3-dev, python3-numpy and pybind11-dev")
+    def test_python_is_a_package_of_its_own_for_the_interpreter_it_was_built_with(self):
+        sources = {path.name for path in (ROOT / "python/baraka").glob("*.py")}
+        self.assertLessEqual({"__init__.py", "controller.py", "analysis.py", "environment.py"}, sources)
+        expected = {f"{MODULES}/{name}" for name in sources | {"_hal.so", "_process.so", "_simulator.so"}}
+        self.assertEqual({path for path in self.files["python3-baraka"] if path.startswith(f"{MODULES}/") and not path.endswith("/")},
+                         expected)
+        self.assertIn("/usr/lib/baraka/libbaraka_python.so", self.files["python3-baraka"])
+        depends = self.field("python3-baraka", "Depends").split(", ")
+        for one in (f"baraka (= {self.field('baraka', 'Version')})", "python3 (>= 3.11)", "python3 (<< 3.12)", "python3-numpy"):
+            self.assertIn(one, depends)
+        self.assertTrue(any(one.startswith("libpython3.11 (>=") for one in depends), depends)
+        self.assertEqual(self.field("python3-baraka", "Recommends"), "python3-pandas, python3-matplotlib")
+        self.assertNotIn("python", self.field("baraka", "Depends"))
+        control = output("dpkg-deb", "--ctrl-tarfile", self.debs["python3-baraka"], encoding="latin-1")
+        for script in ("postinst", "prerm"):  # byte code comes and goes with the package
+            self.assertIn(f"./{script}", control)
+
+    @unittest.skipUnless(PYTHON_WAS_BUILT, "needs python3-dev, python3-numpy and pybind11-dev")
+    def test_a_controller_in_python_runs_from_the_packages(self):
+        self.addCleanup(shutil.rmtree, self.folder / "my_robot", ignore_errors=True)
+        made = self.baraka("new-controller", "my_robot", "--python")
+        self.assertEqual(made.status, 0, str(made))
+        fingerprints = set()
+        for how in ("in-process", "spawn"):
+            ran = self.baraka("run", "my_robot/scenario.yaml", "--controllers", how, "--out", self.folder / how,
+                              BARAKA_CONTROLLER_PATH=str(self.folder / "my_robot"))
+            self.assertEqual((ran.status, ran["result"]), (0, "arrived"), str(ran))
+            fingerprints.add(ran["fingerprint"])
+        self.assertEqual(len(fingerprints), 1)
+        imported = output("/usr/bin/python3", "-c", "import baraka; print(baraka.__file__)", cwd=self.folder,
+                          env={"PYTHONPATH": str(self.root) + os.path.dirname(MODULES)})
+        self.assertEqual(imported.strip(), f"{self.root}{MODULES}/__init__.py")
+
+    def test_programs_and_libraries_find_what_they_are_linked_with(self):
+        for path in self.root.rglob("*"):
+            if path.is_file() and not path.is_symlink() and path.read_bytes()[:4] == b"\x7fELF":
+                self.assertNotIn("not found", output("ldd", path), path)
 
     def test_headers_that_the_development_package_needs_come_with_it(self):
         needed = set()
