@@ -159,6 +159,10 @@ PlotRequest request_of(const Experiment& experiment, const ReportOptions& option
   replace(request.versus, options.versus);
   replace(request.by, options.by);
   replace(request.agent, options.agent);
+  // Over time there is no axis of settings.
+  if (!options.versus.empty() && request.as == sim::scenario::PlotKind::kTime) {
+    request.as = sim::scenario::PlotKind::kAutomatic;
+  }
   if (options.as) request.as = *options.as;
   if (options.interval) request.interval = *options.interval;
   return request;

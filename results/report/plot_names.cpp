@@ -95,6 +95,16 @@ std::set<std::string> observed(const Experiment& experiment,
   return names;
 }
 
+/// The quantity that is called so but for capitals: "states.ARRIVED.first", as controllers write
+/// their states, is kept as "states.arrived.first".
+std::optional<std::string> in_other_case(const Experiment& experiment, const std::string& name) {
+  std::string lower = name;
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return kept_as(experiment, lower);
+}
+
 /// Requests plots of an observable: versus the varied settings, and over time or as a histogram if
 /// it was kept in that form.
 void request_observed(std::vector<sim::scenario::PlotRequest>& requests,
@@ -131,6 +141,8 @@ sim::scenario::PlotRequest with_full_name(const Experiment& experiment,
     return *of_agent;
   } else if (const auto whole = without_domain(experiment, request.plot)) {
     request.plot = *whole;
+  } else if (const auto same = in_other_case(experiment, request.plot)) {
+    request.plot = *same;
   }
   return request;
 }

@@ -155,6 +155,15 @@ TEST(PlotTest, WhatIsNotThereIsNamedWithWhatIs) {
       std::string::npos);
 }
 
+TEST(PlotTest, AStateMayBeWrittenInCapitalsAsItsControllerDoes) {
+  Experiment experiment = two_by_two();
+  experiment.units["states.arrived.first"] = "s";
+  experiment.values[{"states.arrived.first", ""}] = experiment.values[{"x", ""}];
+  EXPECT_EQ(make_plot(experiment, {.plot = "states.ARRIVED.first"}).y_label,
+            "states.arrived.first / s");
+  EXPECT_NE(message_of(experiment, {.plot = "states.LEFT.first"}).find("no"), std::string::npos);
+}
+
 TEST(PlotTest, FewRunsAreWarnedOf) {
   Experiment experiment = two_by_two();
   experiment.points[0].runs.resize(3);
