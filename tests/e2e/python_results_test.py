@@ -4,10 +4,12 @@ import importlib
 import math
 import os
 import re
+import subprocess
 import sys
 import unittest
 
-from baraka import BIN, ROOT, Case, Program
+import page_commands
+from baraka import BIN, ROOT, Case, Program, some_domain
 
 os.environ["MPLBACKEND"] = "agg"
 MISSING = [name for name in ("pandas", "matplotlib", "numpy") if importlib.util.find_spec(name) is None]
@@ -109,6 +111,21 @@ class Results(Case):
         self.assertEqual(histogram["count"].sum(), 12)
         self.assertEqual([text.get_text() for text in self.study.figure(QUANTITY).plot().get_xticklabels()],
                          ["aligned", "uniform"])
+
+    def test_the_page_leads_from_a_controller_to_a_figure(self):
+        script = page_commands.script(ROOT / "docs/python.md", "From the package to a figure", "said.txt")
+        env = {"PATH": f"{BIN}:/usr/bin:/bin", "PYTHONPATH": str(BIN / "python"), "HOME": str(self.folder), "LC_ALL": "C.UTF-8",
+               "BARAKA_DOMAIN": str(some_domain(self))}
+        done = subprocess.run(["bash", "-c", script], cwd=self.folder, env=env, capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertTrue((self.folder / "my_robot/arrival.pdf").read_bytes().startswith(b"%PDF"))
+        study = self.baraka.campaign(self.folder / "my_robot/results/speeds")
+        first, *_, last = study.figure("states.ARRIVED.first").frame["mean"]
+        self.assertGreater(first, last)  # the fastest is there first
+        # What is kept over time has no value for each setting.
+        with self.assertRaises(self.baraka.AnalysisError) as raised:
+            study.figure("controllers.nearest", versus="speed")
+        self.assertIn("controllers.nearest.mean", str(raised.exception))
 
     def test_mistakes_are_said_as_the_command_says_them(self):
         for call, words in ((lambda: self.baraka.campaign("/nowhere"), "/nowhere: has no campaign.sqlite"),
