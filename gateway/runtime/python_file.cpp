@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <map>
+#include <mutex>
 
 #include "gateway/runtime/plugin.h"
 
@@ -47,7 +48,10 @@ std::string python_interpreter() {
 bool is_python(std::string_view program) { return program.ends_with(".py"); }
 
 hal::Result<const hal::ControllerKind*> load_python(const fs::path& file) {
-  // A file is run once: its classes, and what it has in memory, stay.
+  // A file is run once: its classes, and what it has in memory, stay. Environments load on several
+  // threads.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   static std::map<fs::path, const hal::ControllerKind*> known;
   if (const auto found = known.find(file); found != known.end()) return found->second;
   const auto ask = python_library();

@@ -2,8 +2,10 @@
 
 Neither package is needed: spaces have what theirs have in common (shape, dtype, low, high, sample, contains, seed).
 """
+import atexit
 import os
 import pathlib
+import weakref
 
 import numpy
 
@@ -23,6 +25,14 @@ _look_in("BARAKA_CONFIG_PATH", _HERE[3] / "share/baraka", _HERE[4] / "share/bara
 _look_in("BARAKA_CONTROLLER_PATH", _HERE[2], _HERE[3] / "baraka")
 
 LARGEST_SEED = 2**53
+_BEGUN = weakref.WeakSet()
+
+
+@atexit.register
+def _end_all():
+    """Before Python ends: a run's thread that calls a controller in Python later would end in the middle of the call."""
+    for episode in list(_BEGUN):
+        episode.end()
 
 
 class Box:
@@ -123,19 +133,22 @@ class Environment:
             raise ValueError(f"seed: {seed!r} is no whole number from 0 to {LARGEST_SEED - 1}")
         self._seed = int(seed) if seed is not None else self._seed + 1
         self._episode = None  # ends the one before
-        self._episode = Episode(self._file, [*self._set, f"seed={self._seed}"], self.possible_agents, self._until)
+        episode = Episode(self._file, [*self._set, f"seed={self._seed}"], self.possible_agents, self._until)
+        _BEGUN.add(episode)
+        self._episode = episode
         self.agents = list(self.possible_agents)
-        self._last = self._seen(self._episode.begin())
+        self._last = self._seen(episode.begin())
         observations, infos = self._last
         return (observations[0], infos[0]) if self._is_single else (self._by_name(observations), self._by_name(infos))
 
     def step(self, action):
         """Drives for a control cycle: observation, reward, terminated, truncated, info; dicts of them for several robots."""
-        if self._episode is None:
+        episode = self._episode
+        if episode is None:
             raise RuntimeError("step: call reset() first")
         actions = [action] if self._is_single else self._in_order(action)
         drives = [self._drive(i, one) for i, one in enumerate(actions)]
-        situation = self._episode.advance(drives)
+        situation = episode.advance(drives)
         before, (observations, infos) = self._last, self._seen(situation)
         self._last = observations, infos
         each = [(before[0][i], actions[i], observations[i], infos[i]) for i in range(len(actions))]
@@ -150,8 +163,10 @@ class Environment:
         return tuple(self._by_name(one) for one in (observations, rewards, terminated, truncated, infos))
 
     def close(self):
-        """Ends the episode."""
-        self._episode = None
+        """Ends the episode, from any thread: a step() that waits in another one raises RuntimeError."""
+        episode, self._episode = self._episode, None
+        if episode is not None:
+            episode.end()
 
     def _drive(self, i, action):
         space, directions = self._action_spaces[i], self._directions[i]

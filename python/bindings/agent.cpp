@@ -60,7 +60,8 @@ void add_identity(AgentClass& agent) {
       .def(
           "name_of",
           [](const AgentHandle& self, py::handle agent_id) {
-            return or_none(self.object().name_of(address_from(agent_id, "agent")));
+            const hal::AgentId named = address_from(agent_id, "agent");
+            return or_none(self.object().name_of(named));
           },
           py::arg("agent"), "Name of the agent; None: unknown. Only with `names = True`.");
 }
@@ -76,7 +77,8 @@ void add_record(AgentClass& agent) {
       .def(
           "record",
           [](const AgentHandle& self, py::handle name, py::handle value) {
-            self.object().record(text_from(name, "name"), number_from(value, "value"));
+            const double number = number_from(value, "value");
+            self.object().record(text_from(name, "name"), number);
           },
           py::arg("name"), py::arg("value"), "Records a finite number in the results.")
       .def(
@@ -112,7 +114,8 @@ void add_power(AgentClass& agent) {
           [](const AgentHandle& self, py::handle id, py::handle at) {
             constexpr std::int64_t kLargest = 0xffffffff;
             const auto timer = static_cast<hal::TimerId>(count_from(id, "id", 0, kLargest));
-            value_of(self.object().set_timer(timer, time_from(at, "at")));
+            const hal::Time expires = time_from(at, "at");
+            value_of(self.object().set_timer(timer, expires));
           },
           py::arg("id"), py::arg("at"),
           "timer(id) is called at `at`, s since the start of the run, to the nearest nanosecond.");

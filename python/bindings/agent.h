@@ -14,6 +14,7 @@ class AgentHandle {
  public:
   explicit AgentHandle(hal::RealWorldObject& object) : object_(&object) {}
 
+  /// Read arguments before: what reads them may be in Python, and meanwhile the controller may go.
   /// @throws std::logic_error  the controller is gone.
   hal::RealWorldObject& object() const;
 

@@ -115,7 +115,7 @@ void PythonController::notice(hal::MessageId id, hal::Fate fate) {
   if (!notice_) return;
   const py::gil_scoped_acquire lock;
   reported([&] {
-    static const py::handle fate_class = value_class("Fate");
+    static constinit ValueClass fate_class("Fate");
     notice_(id, fate_class(std::string(hal::to_string(fate))));
   });
 }

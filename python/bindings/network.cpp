@@ -18,10 +18,10 @@ struct NetworkHandle {
 };
 
 py::list routes(const NetworkHandle& self, py::handle topic, py::handle destination) {
+  const std::string of_class = text_from(topic, "topic");
+  const hal::AgentId to = address_from(destination, "destination");
   py::list all;
-  for (const hal::Route& one :
-       std::as_const(self.network())
-           .routes(text_from(topic, "topic"), address_from(destination, "destination"))) {
+  for (const hal::Route& one : std::as_const(self.network()).routes(of_class, to)) {
     all.append(tuple_of(one));
   }
   return all;
@@ -30,8 +30,8 @@ py::list routes(const NetworkHandle& self, py::handle topic, py::handle destinat
 hal::MessageId send(const AgentHandle& self, py::handle destination, py::handle topic,
                     py::handle payload, py::handle priority) {
   const auto number = count_from(priority, "priority", 0, hal::kHighestPriority);
-  return value_of(self.object().send(address_from(destination, "destination"),
-                                     text_from(topic, "topic"), bytes_from(payload, "payload"),
+  const hal::AgentId to = address_from(destination, "destination");
+  return value_of(self.object().send(to, text_from(topic, "topic"), bytes_from(payload, "payload"),
                                      {.priority = static_cast<hal::Priority>(number)}));
 }
 
@@ -55,8 +55,9 @@ void add_network(py::module_& module, AgentClass& agent) {
       .def(
           "invalidate",
           [](const NetworkHandle& self, py::handle topic, py::handle destination) {
-            value_of(self.network().invalidate(text_from(topic, "topic"),
-                                               address_from(destination, "destination")));
+            const std::string of_class = text_from(topic, "topic");
+            const hal::AgentId to = address_from(destination, "destination");
+            value_of(self.network().invalidate(of_class, to));
           },
           py::arg("topic"), py::arg("destination"),
           "Forgets every route of the class to the destination, at this node only.");

@@ -32,7 +32,8 @@ hal::PathMetric metric_from(py::handle statistic, py::handle direct_weight) {
 std::size_t draw(const py::list& routes, const hal::PathMetric& metric, py::handle beta,
                  const RandomHandle& random) {
   std::vector<hal::Route> all;
-  for (const py::handle one : routes) all.push_back(route_from(one));
+  const py::tuple own(routes);  // what reads a route may be in Python and change the list
+  for (const py::handle one : own) all.push_back(route_from(one));
   if (all.empty()) refuse("routes: must be at least one");
   const double exponent = number_from(beta, "beta");
   if (!(exponent >= 1)) refuse(fmt::format("beta: {} is below 1", exponent));

@@ -11,8 +11,8 @@ namespace {
 namespace py = pybind11;
 
 py::object tuple_of_channel(const hal::Channel& channel) {
-  static const py::handle of_class = value_class("Channel");
-  static const py::handle vec3_class = value_class("Vec3");
+  static constinit ValueClass of_class("Channel");
+  static constinit ValueClass vec3_class("Vec3");
   return of_class(channel.id, channel.name, channel.kind, channel.unit, channel.length,
                   hal::to_seconds(channel.period), channel.frame,
                   py::array_t<double>(static_cast<py::ssize_t>(channel.headings.size()),
@@ -46,9 +46,9 @@ void add_readings(AgentClass& agent) {
       .def(
           "relative_position",
           [](const AgentHandle& self, py::handle other) {
-            static const py::handle vec2_class = value_class("Vec2");
-            const auto place =
-                value_of(self.object().relative_position(address_from(other, "other")));
+            static constinit ValueClass vec2_class("Vec2");
+            const hal::AgentId to = address_from(other, "other");
+            const auto place = value_of(self.object().relative_position(to));
             return vec2_class(place.x, place.y);
           },
           py::arg("other"), "Position of another agent in this body's frame, Vec2 [m].");

@@ -14,19 +14,19 @@ py::array_t<double> array_of(std::span<const double> values) {
 }
 
 py::object vec2(hal::Vec2 v) {
-  static const py::handle of_class = value_class("Vec2");
+  static constinit ValueClass of_class("Vec2");
   return of_class(v.x, v.y);
 }
 py::object vec3(const hal::Vec3& v) {
-  static const py::handle of_class = value_class("Vec3");
+  static constinit ValueClass of_class("Vec3");
   return of_class(v.x, v.y, v.z);
 }
 py::object pose2(const hal::Pose2& pose) {
-  static const py::handle of_class = value_class("Pose2");
+  static constinit ValueClass of_class("Pose2");
   return of_class(pose.x, pose.y, pose.theta);
 }
 py::object twist2(const hal::Twist2& twist) {
-  static const py::handle of_class = value_class("Twist2");
+  static constinit ValueClass of_class("Twist2");
   return of_class(twist.vx, twist.vy, twist.omega);
 }
 
@@ -45,9 +45,9 @@ const char* name_of(hal::Solid::Shape shape) {
 }
 
 py::object body(const RobotHandle& self) {
-  static const py::handle body_class = value_class("RobotBody");
-  static const py::handle solid_class = value_class("Solid");
-  static const py::handle wheel_class = value_class("BodyWheel");
+  static constinit ValueClass body_class("RobotBody");
+  static constinit ValueClass solid_class("Solid");
+  static constinit ValueClass wheel_class("BodyWheel");
   const hal::RobotBody& body = self.robot().body();
   py::list solids, wheels;
   for (const hal::Solid& one : body.solids) {
@@ -62,14 +62,15 @@ py::object body(const RobotHandle& self) {
 
 py::object set_body_velocity(const RobotHandle& self, py::handle vx, py::handle vy,
                              py::handle omega) {
-  static const py::handle drive_class = value_class("Drive");
-  const auto drive = value_of(self.robot().set_body_velocity(
-      {number_from(vx, "vx"), number_from(vy, "vy"), number_from(omega, "omega")}));
+  static constinit ValueClass drive_class("Drive");
+  const hal::Twist2 wanted{number_from(vx, "vx"), number_from(vy, "vy"),
+                           number_from(omega, "omega")};
+  const auto drive = value_of(self.robot().set_body_velocity(wanted));
   return drive_class(twist2(drive.applied), drive.saturated, drive.restricted);
 }
 
 py::list infrared(const RobotHandle& self) {
-  static const py::handle reading_class = value_class("InfraredReading");
+  static constinit ValueClass reading_class("InfraredReading");
   py::list all;
   for (const auto& [heading, range] : value_of(self.robot().infrared())) {
     all.append(reading_class(heading, range));
@@ -78,19 +79,19 @@ py::list infrared(const RobotHandle& self) {
 }
 
 py::object odometry(const RobotHandle& self) {
-  static const py::handle odometry_class = value_class("Odometry");
+  static constinit ValueClass odometry_class("Odometry");
   const auto odometry = value_of(self.robot().odometry());
   return odometry_class(pose2(odometry.pose), twist2(odometry.twist));
 }
 
 py::object scan(const RobotHandle& self) {
-  static const py::handle scan_class = value_class("Scan");
+  static constinit ValueClass scan_class("Scan");
   const auto scan = value_of(self.robot().scan());
   return scan_class(array_of(scan.headings), array_of(scan.ranges));
 }
 
 py::object imu(const RobotHandle& self) {
-  static const py::handle imu_class = value_class("Imu");
+  static constinit ValueClass imu_class("Imu");
   const auto imu = value_of(self.robot().imu());
   return imu_class(vec3(imu.angular_velocity), vec3(imu.specific_force));
 }
@@ -108,7 +109,8 @@ void add_robot(py::module_& module) {
       .def(
           "set_wheel_speeds",
           [](const RobotHandle& self, py::handle speeds) {
-            value_of(self.robot().set_wheel_speeds(numbers_from(speeds, "speeds")));
+            const std::vector<double> wanted = numbers_from(speeds, "speeds");
+            value_of(self.robot().set_wheel_speeds(wanted));
           },
           py::arg("speeds"), "Turns the driven wheels at these speeds [rad/s].")
       .def("infrared", infrared, "Latest ranges: a list of InfraredReading.")

@@ -19,12 +19,13 @@ constexpr double kLatest = 9e9;  // s, of hal::from_seconds()
       fmt::format("{}: must be {}, not {}", what, wanted, Py_TYPE(value.ptr())->tp_name));
 }
 
-/// The items of a list, a tuple or an array; texts are no lists.
+/// The items of a list, a tuple or an array; texts are no lists. A tuple of its own, because what
+/// reads an item may be in Python, __float__ for example, and change the list.
 py::object list_from(py::handle value, std::string_view what, const char* wanted) {
   if (PyUnicode_Check(value.ptr()) || PyBytes_Check(value.ptr()) || PyDict_Check(value.ptr())) {
     wrong_type(what, wanted, value);
   }
-  PyObject* const items = PySequence_Fast(value.ptr(), "");
+  PyObject* const items = PySequence_Tuple(value.ptr());
   if (items == nullptr) {
     PyErr_Clear();
     wrong_type(what, wanted, value);
@@ -53,10 +54,10 @@ double number_from(py::handle value, std::string_view what) {
 std::vector<double> numbers_from(py::handle value, std::string_view what) {
   const py::object items = list_from(value, what, "a list of numbers");
   std::vector<double> numbers;
-  const Py_ssize_t size = PySequence_Fast_GET_SIZE(items.ptr());
+  const Py_ssize_t size = PyTuple_GET_SIZE(items.ptr());
   numbers.reserve(static_cast<std::size_t>(size));
   for (Py_ssize_t i = 0; i < size; ++i) {
-    numbers.push_back(number_from(PySequence_Fast_GET_ITEM(items.ptr(), i), item_name(what, i)));
+    numbers.push_back(number_from(PyTuple_GET_ITEM(items.ptr(), i), item_name(what, i)));
   }
   return numbers;
 }
@@ -75,8 +76,8 @@ std::string text_from(py::handle value, std::string_view what) {
 std::vector<std::string> texts_from(py::handle value, std::string_view what) {
   const py::object items = list_from(value, what, "a list of texts");
   std::vector<std::string> texts;
-  for (Py_ssize_t i = 0; i < PySequence_Fast_GET_SIZE(items.ptr()); ++i) {
-    texts.push_back(text_from(PySequence_Fast_GET_ITEM(items.ptr(), i), item_name(what, i)));
+  for (Py_ssize_t i = 0; i < PyTuple_GET_SIZE(items.ptr()); ++i) {
+    texts.push_back(text_from(PyTuple_GET_ITEM(items.ptr(), i), item_name(what, i)));
   }
   return texts;
 }
@@ -129,7 +130,8 @@ hal::Bytes bytes_from(py::handle value, std::string_view what) {
 }
 
 hal::Route route_from(py::handle value) {
-  if (!py::isinstance(value, value_class("Route"))) wrong_type("route", "a baraka.Route", value);
+  static constinit ValueClass route_class("Route");
+  if (!py::isinstance(value, route_class.get())) wrong_type("route", "a baraka.Route", value);
   const auto part = [&value](const char* name) { return py::object(value.attr(name)); };
   constexpr int kLargest = 0xffff;
   hal::Route route;
@@ -143,26 +145,29 @@ hal::Route route_from(py::handle value) {
   return route;
 }
 
-py::handle value_class(const char* name) {
-  static PyObject* const module = py::module_::import("baraka.values").release().ptr();
-  return py::object(py::handle(module).attr(name)).release();  // kept: callers keep it, too
+py::handle ValueClass::get() {
+  if (class_ == nullptr) {
+    py::object found = py::module_::import("baraka.values").attr(name_);
+    if (class_ == nullptr) class_ = found.release().ptr();  // unless another thread was faster
+  }
+  return class_;
 }
 
 py::object tuple_of(const hal::Message& message) {
-  static const py::handle of_class = value_class("Message");
+  static constinit ValueClass of_class("Message");
   const auto* const data = reinterpret_cast<const char*>(message.payload.data());
   return of_class(message.source.value, message.destination.value, message.id, message.topic,
                   py::bytes(data, message.payload.size()), hal::to_number(message.priority));
 }
 
 py::object tuple_of(const hal::Route& route) {
-  static const py::handle of_class = value_class("Route");
+  static constinit ValueClass of_class("Route");
   return of_class(route.topic, route.destination.value, route.next_hop.value, route.path.hops,
                   hal::to_seconds(route.path.delay), route.path.min_snr_db, route.path.energy);
 }
 
 py::object tuple_of(const hal::Neighbour& neighbour) {
-  static const py::handle of_class = value_class("Neighbour");
+  static constinit ValueClass of_class("Neighbour");
   return of_class(neighbour.id.value, hal::to_seconds(neighbour.last_heard), neighbour.rssi_dbm);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -40,8 +41,23 @@ pybind11::object tuple_of(const hal::Message& message);
 pybind11::object tuple_of(const hal::Route& route);
 pybind11::object tuple_of(const hal::Neighbour& neighbour);
 
-/// The class of that name in python/baraka/values.py, found once.
-/// Usage: static const auto vec2_class = value_class("Vec2");
-pybind11::handle value_class(const char* name);
+/// A class of python/baraka/values.py, found at its first use. It is a static variable that C++
+/// initialises at compile time: a thread that did so at run time, and let go of the interpreter's
+/// lock while it imports, would keep others waiting that hold this lock.
+/// Usage: static constinit ValueClass vec2_class("Vec2"); return vec2_class(v.x, v.y);
+class ValueClass {
+ public:
+  constexpr explicit ValueClass(const char* name) : name_(name) {}
+  /// @pre the lock is held
+  pybind11::handle get();
+  template <class... Values>
+  pybind11::object operator()(Values&&... values) {
+    return get()(std::forward<Values>(values)...);
+  }
+
+ private:
+  const char* name_;
+  PyObject* class_ = nullptr;  ///< Never given back: Python may end before this library does.
+};
 
 }  // namespace python::bindings

@@ -1,8 +1,10 @@
 #include "python/simulator/episode.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <filesystem>
 #include <future>
@@ -10,9 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "gateway/runtime/controller_host.h"
-#include "gateway/runtime/in_process_port.h"
-#include "gateway/runtime/plugin.h"
+#include "gateway/runtime/in_process_controllers.h"
 #include "hal/files/config/shared_folders.h"
 #include "python/simulator/driven_port.h"
 #include "python/simulator/hand_over.h"
@@ -28,12 +28,6 @@ namespace {
 using hal::node::exchange::AgentSession;
 using sim::agents::Simulation;
 using sim::scenario::Scenario;
-
-template <class T>
-T value_or_throw(hal::Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  return std::move(*result);
-}
 
 /// Where the driven robots are.
 class Places final : public sim::agents::Observer {
@@ -116,20 +110,10 @@ void connect_others(const Scenario& scenario, Simulation& simulation,
     std::erase_if(plan.agents,
                   [&](hal::AgentId id) { return std::ranges::find(driven, id) != driven.end(); });
     if (plan.agents.empty()) continue;
-    const hal::ControllerKind& kind = *value_or_throw(
-        gateway::runtime::load_plugin(plan.program, gateway::runtime::controller_folders()));
-    hal::node::exchange::Session session;
-    session.server = "in process";
-    session.run = 1;
-    if (kind.wants.names) session.directory = simulation.directory();
-    for (const hal::AgentId agent : plan.agents) {
-      session.agents.push_back(
-          value_or_throw(hal::node::exchange::session_for(offer_for(offers, agent), kind.wants)));
-    }
-    auto host = value_or_throw(gateway::runtime::ControllerHost::create(kind, session));
-    simulation.connect(
-        std::make_shared<gateway::runtime::InProcessPort>(plan.process, std::move(host)),
-        plan.agents, kind.wants);
+    const auto connected = gateway::runtime::connect_in_process(
+        {.process = plan.process, .program = plan.program, .agents = plan.agents}, offers,
+        simulation);
+    if (!connected) throw std::runtime_error(connected.error().message);
   }
 }
 
@@ -148,18 +132,20 @@ class Episode::Run {
       throw;
     }
   }
-  ~Run() {
-    hand_over_.close();
-    begin();
-    thread_.join();
-  }
+  ~Run() { end(); }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
   const std::vector<AgentSession>& sessions() const { return sessions_; }
   HandOver& hand_over() { return hand_over_; }
   void begin() {
-    if (!std::exchange(has_begun_, true)) begun_.set_value();
+    if (!has_begun_.exchange(true)) begun_.set_value();
+  }
+  void end() {
+    hand_over_.close();
+    begin();
+    const std::lock_guard only_one(ending_);
+    if (thread_.joinable()) thread_.join();
   }
 
  private:
@@ -228,27 +214,49 @@ class Episode::Run {
   HandOver hand_over_;
   std::vector<AgentSession> sessions_;
   std::promise<void> made_, begun_;
-  bool has_begun_ = false;
+  std::atomic<bool> has_begun_ = false;
+  std::mutex ending_;
   std::thread thread_;
 };
 
 Episode::Episode(const std::string& file, const std::vector<std::string>& overrides,
-                 const std::vector<std::string>& agents, std::optional<hal::Time> until) {
+                 const std::vector<std::string>& agents, std::optional<hal::Time> until)
+    : process_(getpid()) {
   Scenario scenario = scenario_of(file, overrides);
   std::vector<hal::AgentId> driven = robots_called(scenario, agents);
   run_ = std::make_unique<Run>(std::move(scenario), std::move(driven), until);
   sessions_ = run_->sessions();
 }
 
-Episode::~Episode() = default;
+Episode::~Episode() {
+  // A forked process has the memory of the run, but neither its thread nor locks that it can trust.
+  if (getpid() != process_) [[maybe_unused]]
+    Run* const others = run_.release();
+}
+
+void Episode::end() {
+  if (getpid() == process_) run_->end();
+}
+
+std::unique_lock<std::mutex> Episode::take_turn() {
+  if (getpid() != process_) {
+    throw std::runtime_error(
+        fmt::format("the episode is one of process {}, from which this one was forked", process_));
+  }
+  std::unique_lock turn(turn_, std::try_to_lock);
+  if (!turn) throw std::runtime_error("another thread drives the episode");
+  return turn;
+}
 
 Situation Episode::begin() {
+  const auto turn = take_turn();
   if (state_ != State::kNew) throw std::runtime_error("the episode has begun already");
   run_->begin();
   return next();
 }
 
 Situation Episode::advance(const std::vector<hal::Twist2>& drives) {
+  const auto turn = take_turn();
   if (state_ == State::kNew) throw std::runtime_error("the episode has not begun");
   if (state_ == State::kEnded) throw std::runtime_error("the episode has ended");
   if (drives.size() != sessions_.size()) {

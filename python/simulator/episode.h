@@ -1,8 +1,11 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +34,8 @@ struct Situation {
 
 /// One run of a scenario in which some robots are driven from outside, a control cycle at a time;
 /// all others have their controllers, in this process. The run is on a thread of its own, which
-/// stands still between two calls.
+/// stands still between two calls. Of begin() and advance() one at a time, from any thread; in a
+/// process that was forked meanwhile there is no such thread, and they throw.
 class Episode {
  public:
   /// @param file  a path or, as of `baraka run`, the name of a scenario that comes with BARAKA.
@@ -54,12 +58,18 @@ class Episode {
   /// of controllers do, after the scenario's controller_latency.
   /// @param drives  one for each robot.   @throws std::runtime_error  the run failed, or has ended.
   Situation advance(const std::vector<hal::Twist2>& drives);
+  /// Ends the run and waits until it has ended. From any thread: an advance() that waits throws.
+  void end();
 
  private:
   class Run;
   enum class State : std::uint8_t { kNew, kRunning, kEnded };
+  /// @throws std::runtime_error  another thread is in a call.
+  std::unique_lock<std::mutex> take_turn();
   Situation next();
 
+  const pid_t process_;
+  std::mutex turn_;  ///< Of what follows.
   State state_ = State::kNew;
   std::vector<hal::node::exchange::AgentSession> sessions_;
   std::unique_ptr<Run> run_;

@@ -39,13 +39,15 @@ class HandOver {
     answer_ = std::move(drives);
     changed_.notify_all();
   }
-  /// The next situation. @throws std::runtime_error  the run failed.
+  /// The next situation. @throws std::runtime_error  the run failed, or was closed.
   Situation next() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return situation_.has_value(); });
+    changed_.wait(lock, [this] { return situation_.has_value() || closed_; });
+    if (closed_) throw std::runtime_error("the episode has been closed");
     if (!error_.empty()) throw std::runtime_error(error_);
     return *std::exchange(situation_, std::nullopt);
   }
+  /// On any thread.
   void close() {
     const std::lock_guard lock(mutex_);
     closed_ = true;

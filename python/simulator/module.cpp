@@ -58,7 +58,11 @@ using EpisodePointer = std::unique_ptr<Episode, DeleteUnlocked>;
 EpisodePointer make(const std::string& file, const std::vector<std::string>& overrides,
                     const std::vector<std::string>& agents, std::optional<double> until) {
   std::optional<hal::Time> end;
-  if (until) end = hal::Time{hal::from_seconds(*until)};
+  if (until) {
+    constexpr double kLatest = 9e9;  // s, of hal::from_seconds()
+    if (!(*until >= 0 && *until < kLatest)) throw py::value_error("until: is no time of a run");
+    end = hal::Time{hal::from_seconds(*until)};
+  }
   const py::gil_scoped_release others_may_run;
   return EpisodePointer(new Episode(file, overrides, agents, end));
 }
@@ -136,5 +140,6 @@ PYBIND11_MODULE(_simulator, module) {
            py::arg("until"))
       .def("robots", robots)
       .def("begin", begin)
-      .def("advance", advance, py::arg("drives"));
+      .def("advance", advance, py::arg("drives"))
+      .def("end", &Episode::end, py::call_guard<py::gil_scoped_release>());
 }
