@@ -30,7 +30,7 @@ hal::Duration recording_shift(const Plan& plan) {
 
 hal::Duration participant_shift(const Plan& part) {
   const auto is_recorded = [](const WrittenTopic& topic) {
-    return std::holds_alternative<Recorded>(topic.rhythm);
+    return topic.participant > 0 && std::holds_alternative<Recorded>(topic.rhythm);
   };
   if (part.writes.empty() || !std::ranges::all_of(part.writes, is_recorded)) return {};
   return shift_of(part, part.writes.front());

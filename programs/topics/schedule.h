@@ -20,7 +20,8 @@ struct DueSample {
 hal::Duration recording_shift(const Plan& plan);
 
 /// By how much later than its process the participant of a part_of() a plan is made: as much as its
-/// recordings begin later, if it writes nothing else. Robots are not switched on together.
+/// recordings begin later, if it writes nothing else; 0 of the agent's common participant, 0.
+/// Robots are not switched on together.
 hal::Duration participant_shift(const Plan& part);
 
 /// Sample `index`, from 0 on, of a recording that is played from time 0 on; none: it is over.
