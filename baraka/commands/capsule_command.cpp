@@ -41,22 +41,32 @@ void add_python(const fs::path& file, std::set<fs::path>& files) {
   }
 }
 
+/// @throws UsageError  the file is in none of the folders
+fs::path controller_file(const std::string& name) {
+  const auto folders = gateway::runtime::controller_folders();
+  for (const fs::path& folder : folders) {
+    std::error_code ignored;
+    if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+  }
+  std::string places;
+  for (const fs::path& folder : folders) {
+    places += (places.empty() ? "" : ", ") + folder.string();
+  }
+  throw gateway::process::UsageError(fmt::format(
+      "the controller {} belongs to the capsule, and is not in {}; BARAKA_CONTROLLER_PATH adds "
+      "folders",
+      name, places));
+}
+
 /// The controllers of a scenario as parts: Python with its text, programs by their digests.
 void add_controllers(Study& content, const std::set<std::string>& names) {
-  const auto folders = gateway::runtime::controller_folders();
   std::set<fs::path> python;
   for (const std::string& name : names) {
-    const bool is_text = gateway::runtime::is_python(name);
-    const std::string file_name = is_text ? name : name + ".so";
-    for (const fs::path& folder : folders) {
-      std::error_code ignored;
-      if (!fs::is_regular_file(folder / file_name, ignored)) continue;
-      if (is_text) {
-        add_python(folder / file_name, python);
-      } else {
-        content.parts.push_back({"controllers/" + file_name, folder / file_name, false});
-      }
-      break;
+    if (gateway::runtime::is_python(name)) {
+      add_python(controller_file(name), python);
+    } else {
+      content.parts.push_back(
+          {"controllers/" + name + ".so", controller_file(name + ".so"), false});
     }
   }
   for (const fs::path& file : python) {

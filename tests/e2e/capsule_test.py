@@ -45,6 +45,9 @@ class Capsule(Case):
         run = self.run_baraka(MANY_ROBOTS, "--seed", 4, "--until", "30s", "--controllers", "in-process", "--set",
                               "agents.robots.controller.program=help_robot.py", env=env)
         capsule = self.folder / "run4.tar.zst"
+        lost = self.command("capsule", self.out, "-o", capsule, status=2, env={"BARAKA_CONTROLLER_PATH": ""})
+        self.assertIn("the controller help_robot.py belongs to the capsule, and is not in ", lost.err)
+        self.assertFalse(capsule.exists())
         self.command("capsule", self.out, "-o", capsule, env=env)
         folder = self.unpacked(capsule)
         manifest = json.loads((folder / "capsule.json").read_text())

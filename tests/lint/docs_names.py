@@ -26,7 +26,7 @@ OTHERS = ("cmake", "ctest", "git", "ros2", "sbatch", "sudo", "apt", "apt-get", "
           "ping", "iperf3", "srun", "salloc")
 # A file of the port that anthocnet_base_field.md quotes; one of rosbag2; what readers of the tutorial write, or new-controller for them.
 NOT_OURS = {"docs/benchmarks/scenarios/paper-base.md", "metadata.yaml", "scenario.yaml", "my_burger.yaml", "office.yaml", "study.yaml", "pair.yaml",
-            "node.yaml", "fitted.yaml", "drive_around.cpp"}
+            "node.yaml", "fitted.yaml", "drive_around.cpp", "arrival.py", "my_robot.py", "speeds.yaml"}
 # Of others: an option of NFS, a function of Fast DDS; and a name that a reader makes up.
 FOREIGN = {"local_lock", "check_remote_participant_liveliness", "my_talker"}
 OUR_OPTION = re.compile(r"""["'(\s|](--[a-z][\w-]*)|AddValue\("(\w+)\"""")
