@@ -159,7 +159,9 @@ pid_t Spawner::start(const Command& command) {
   close(prepared.log);
   setpgid(pid, pid);  // also here, in case the child has not done it yet; fails after its exec
   const int descriptor = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
-  children_.push_back({command.program.filename().string(), command.log, pid, descriptor});
+  const bool is_named = !command.name.empty();
+  children_.push_back({is_named ? command.name : command.program.filename().string(), command.log,
+                       pid, descriptor});
   return pid;
 }
 

@@ -20,11 +20,12 @@ struct Command {
   std::vector<std::string> arguments;  ///< Without the program itself.
   int domain = 1;                      ///< Becomes BARAKA_DOMAIN of the program.
   std::filesystem::path log;           ///< Its standard output and error are appended here.
+  std::string name = {};               ///< For messages; empty: the program's file name.
 };
 
 /// How a process ended.
 struct Ending {
-  std::string name;  ///< File name of the program.
+  std::string name;  ///< Of the command.
   pid_t pid = 0;
   int status = 0;     ///< Exit status; 128 + signal if a signal killed it.
   std::string cause;  ///< "exited with status 2", "killed by signal 9".

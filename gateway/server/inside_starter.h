@@ -19,6 +19,7 @@ struct InsideProgram {
   std::filesystem::path log;  ///< Its standard output and error are appended here.
   /// Descriptors of this process that it keeps; in lock-step numbered from 3 on, in this order.
   std::vector<int> inherited = {};
+  std::string name = {};  ///< For messages; empty: the program's file name.
 };
 
 /// Starts controllers inside their agents' networks. They end with this object.

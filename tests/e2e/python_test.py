@@ -107,6 +107,18 @@ class Wrong(Python):
                 self.assertIn(f"{self.folder}/own.py:8: in divide(): ZeroDivisionError: division by zero", run.err, method)
                 self.assertIn("r0", run.err)
 
+    def test_a_process_that_was_killed_is_called_by_the_name_in_the_scenario(self):
+        source = """\
+            import os
+            import baraka
+            class Own(baraka.Controller):
+                def step(self):
+                    os.kill(os.getpid(), 9)
+            """
+        run = self.play(self.own(source), status=1, env=self.own_paths())
+        self.assertRegex(run.err, r"own\.py \(pid [0-9]+\) killed by signal 9")
+        self.assertNotIn("python3", run.err)
+
     def test_leaving_python_in_a_callback_ends_the_run(self):
         source = """\
             import sys

@@ -12,8 +12,7 @@
 #include "gateway/process/exit_status.h"
 #include "gateway/process/limits.h"
 #include "gateway/runtime/controller_command.h"
-#include "gateway/runtime/controller_host.h"
-#include "gateway/runtime/in_process_port.h"
+#include "gateway/runtime/in_process_controllers.h"
 #include "gateway/runtime/plugin.h"
 #include "gateway/server/teleop_port.h"
 
@@ -24,13 +23,6 @@ using sim::scenario::ProcessPlan;
 using sim::scenario::Scenario;
 
 constexpr std::uint64_t kOnlyRun = 1;  // a server of `baraka run` serves one run
-
-const hal::node::exchange::AgentOffer& offer_of(
-    const std::vector<hal::node::exchange::AgentOffer>& offers, hal::AgentId agent) {
-  // Agents are sorted by address.
-  return *std::ranges::lower_bound(offers, agent, {},
-                                   [](const auto& offer) { return offer.session.agent; });
-}
 
 /// A host restricted to the agents whose controllers are expected.
 class ServedAgents final : public hal::node::exchange::AgentHost {
@@ -90,12 +82,6 @@ std::optional<int> domain_for(const ControllersOfRun::Settings& settings) {
   return gateway::process::default_domain();
 }
 
-template <class T>
-T value_or_throw(hal::Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  return std::move(*result);
-}
-
 }  // namespace
 
 ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simulation& simulation,
@@ -131,21 +117,11 @@ void ControllersOfRun::connect_in_process(const std::vector<ProcessPlan>& plans,
                                           sim::agents::Simulation& simulation) {
   const auto offers = simulation.offers();
   for (const ProcessPlan& plan : plans) {
-    const hal::ControllerKind& kind = *value_or_throw(
-        gateway::runtime::load_plugin(plan.program, gateway::runtime::controller_folders()));
-    hal::node::exchange::Session session;
-    session.server = "in process";
-    session.run = kOnlyRun;
-    if (kind.wants.names) session.directory = simulation.directory();
-    for (const hal::AgentId agent : plan.agents) {
-      session.agents.push_back(
-          value_or_throw(hal::node::exchange::session_for(offer_of(offers, agent), kind.wants)));
-    }
-    auto host = value_or_throw(gateway::runtime::ControllerHost::create(kind, session));
     inside_->connect_before(plan.agents.front());
-    simulation.connect(
-        std::make_shared<gateway::runtime::InProcessPort>(plan.process, std::move(host)),
-        plan.agents, kind.wants);
+    const auto connected = gateway::runtime::connect_in_process(
+        {.process = plan.process, .program = plan.program, .agents = plan.agents}, offers,
+        simulation);
+    if (!connected) throw std::runtime_error(connected.error().message);
   }
 }
 
@@ -199,7 +175,8 @@ void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenar
       spawner_.start({.program = words.front(),
                       .arguments = {words.begin() + 1, words.end()},
                       .domain = server_->domain(),
-                      .log = settings.logs / (plan.process + ".log")});
+                      .log = settings.logs / (plan.process + ".log"),
+                      .name = plan.program});
     }
   }
 }
@@ -218,7 +195,8 @@ void ControllersOfRun::start_inside(const ProcessPlan& plan, std::vector<std::st
       {.arguments = std::move(arguments),
        .environment = {invitation.variable(), {"BARAKA_DOMAIN", std::to_string(server_->domain())}},
        .log = settings.logs / (plan.process + ".log"),
-       .inherited = invitation.descriptors()});
+       .inherited = invitation.descriptors(),
+       .name = plan.program});
 }
 
 /// What it is told is the same in all runs; the number of the domain, which it does not use, too.
@@ -235,7 +213,8 @@ void ControllersOfRun::start_held(const ProcessPlan& plan, std::vector<std::stri
   starter.start(agent, {.arguments = std::move(arguments),
                         .environment = {link.variable(), {"BARAKA_DOMAIN", "0"}},
                         .log = settings.logs / (plan.process + ".log"),
-                        .inherited = {link.controllers_end()}});
+                        .inherited = {link.controllers_end()},
+                        .name = plan.program});
   link.started();
 }
 

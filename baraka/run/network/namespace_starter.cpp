@@ -19,8 +19,9 @@ void NamespaceStarter::start(hal::AgentId agent, const gateway::server::InsidePr
                                                        .log = program.log,
                                                        .folder = {},
                                                        .inherited = program.inherited});
-  const std::string name = std::filesystem::path(program.arguments.front()).filename().string();
-  started_[{*index, number}] = {name, program.log};
+  const std::filesystem::path file = program.arguments.front();
+  started_[{*index, number}] = {program.name.empty() ? file.filename().string() : program.name,
+                                program.log};
 }
 
 hal::Result<void> NamespaceStarter::check() {
