@@ -7,6 +7,7 @@
 
 #include "hal/types/check.h"
 #include "hal/types/math.h"
+#include "sim/core/large_pages.h"
 #include "sim/radio/cell.h"
 #include "sim/radio/channel/band.h"
 #include "sim/radio/channel/random_loss.h"
@@ -50,6 +51,9 @@ void check_station(const RadioConfig& config, const RadioNetwork::Station& stati
     throw std::invalid_argument(std::string(wrong.what()) + " (of '" + station.name + "')");
   }
 }
+
+/// Of a station with some 200 others in range, measured (tests/bench/radio memory, and growth).
+constexpr std::size_t kBytesPerStation = 12'000;
 
 double ratio(hal::Decibels gain) { return hal::math::pow(10, gain.value / 10); }
 
@@ -137,6 +141,7 @@ struct RadioNetwork::State {
       : config(with_names(checked(wanted), sorted)),
         stations(std::move(sorted)),
         surroundings(around) {
+    expect_allocations(stations.size() * kBytesPerStation);
     for (const Station& station : stations) {
       check_station(config, station);
       Air& air = air_of(channel_of(station, config));
