@@ -10,12 +10,17 @@
 #include "sim/agents/real_time_run.h"
 #include "sim/agents/simulated_robot.h"
 #include "sim/agents/simulation_state.h"
+#include "sim/core/large_pages.h"
 
 namespace sim::agents {
 namespace {
 
 /// Bound of the speed at which a falling movable pushes a body [m/s].
 constexpr double kFallingSpeed = 1;
+
+/// Of heap. A station with its radio, its controller in process and its part of the record takes
+/// 27 kB (1000 of tests/bench/beacons).
+constexpr std::size_t kBytesPerAgent = 40'000;
 
 /// Upper bound of the speed of every body [m/s]: twice that of the fastest robot or movable, to
 /// include pushed bodies; 0 without any.
@@ -119,8 +124,10 @@ AgentView Simulation::State::view(hal::AgentId agent) {
           .now = events.now()};
 }
 
-Simulation::Simulation(const SimulationConfig& config, const std::vector<Observer*>& observers)
-    : state_(std::make_unique<State>(config, observers)) {}
+Simulation::Simulation(const SimulationConfig& config, const std::vector<Observer*>& observers) {
+  expect_allocations(config.agents.size() * kBytesPerAgent);
+  state_ = std::make_unique<State>(config, observers);
+}
 
 Simulation::~Simulation() = default;
 

@@ -5,9 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace sim {
 namespace {
@@ -20,6 +21,7 @@ constexpr int kOwnMapping = 32 << 20;
 constexpr int kUsualPad = 128 << 10;
 /// Below glibc's first M_MMAP_THRESHOLD, so that it comes from the heap.
 constexpr std::size_t kProbe = 100 << 10;
+constexpr std::size_t kMostProbes = 256;
 
 /// On the border of two pages, as glibc keeps it.
 std::byte* heap_end() { return static_cast<std::byte*>(sbrk(0)); }
@@ -32,8 +34,11 @@ std::span<std::byte> grow_heap(std::size_t bytes) {
   malloc_trim(0);
   std::byte* const begin = heap_end();
   mallopt(M_TOP_PAD, static_cast<int>(bytes));
-  void* volatile probe = std::malloc(kProbe);  // volatile: the compiler would leave both calls out
-  std::free(probe);
+  std::vector<std::unique_ptr<char[]>> probes;  // the first ones fill gaps
+  while (heap_end() == begin && probes.size() < kMostProbes) {
+    probes.push_back(std::make_unique<char[]>(kProbe));
+  }
+  probes.clear();
   mallopt(M_TOP_PAD, kUsualPad);
   std::byte* const end = heap_end();
   return end > begin ? std::span(begin, end) : std::span<std::byte>();
@@ -43,6 +48,8 @@ std::span<std::byte> grow_heap(std::size_t bytes) {
 
 std::size_t expect_allocations(std::size_t bytes) {
   if (bytes < kWorthwhile) return 0;
+  // An earlier call has left so much unused at the heap's end.
+  if (mallinfo2().keepcost >= bytes) return bytes;
   const std::span<std::byte> grown = grow_heap(std::min(bytes, kMost));
   return madvise(grown.data(), grown.size(), MADV_HUGEPAGE) == 0 ? grown.size() : 0;
 }
