@@ -118,7 +118,7 @@ profiles:
   one_frame: {vendor: cyclonedds, file: cyclone_one_frame.xml}
 need:
   - {topic: "*/scan", delivered: 99 %, p95: 50 ms}
-  - {topic: "*/cmd_vel", delivered: 99.9 %, age: 200 ms}
+  - {topic: "*/odom", delivered: 99.9 %, age: 200 ms}
 )";
 
 constexpr const char* kHardware = R"(version: 1

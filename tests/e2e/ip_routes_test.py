@@ -123,7 +123,7 @@ class Routes(Case):
         """By the counters of the kernel: it would send the first six at once, and more later."""
         counters = "sleep 3; grep OutRedirects /proc/net/snmp6; grep ^Icmp: /proc/net/snmp"
         self.play(line(3, '[{path: ["s*"]}]', pings=[
-            ("s0", PING + " -4 s2"), ("s0", PING + " -6 s2"), ("s1", counters)]))
+            ("s0", PING + " -4 s2"), ("s0", PING + " -6 s2"), ("s1", counters)]), end="8 s")  # in real time, beside load
         self.assert_all_answered("s0", "p0")
         self.assert_all_answered("s0", "p1")
         ipv6, names, values = self.log("s1", "p2").splitlines()
