@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Controllers in Python: equal to those in C++, and what goes wrong is said with file and line."""
 import os
+import shutil
 import sys
 import textwrap
 import unittest
@@ -251,6 +252,18 @@ class Wrong(Python):
                 self.play(file, "--controllers", mode, env={**self.own_paths(), **named, "PATH": path})
                 self.assertTrue(self.lines(f"prefix {prefix}, base /usr"), f"{mode} {named}")
                 self.assertTrue(self.lines(f"own module {module}"), f"{mode} {named}")
+
+    def test_without_the_package_it_is_named_before_the_run(self):
+        file = self.own("import baraka\nclass Own(baraka.Controller): pass\n")
+        (self.folder / "alone").mkdir()
+        program = shutil.copy(BIN / "baraka", self.folder / "alone/baraka")
+        for command in ("check", "run"):
+            done = Program(program, command, file, env={**self.own_paths(), "BARAKA_CONFIG_PATH": str(ROOT / "config")})
+            self.addCleanup(done.clean_up)
+            done = done.finish()
+            self.assertEqual(done.status, 2, str(done))
+            self.assertIn("own.yaml:10:27: program: controllers in Python need libbaraka_python.so, of the package python3-baraka, "
+                          "which is not there", done.err)
 
     def test_run_by_hand(self):
         """As on a robot: python3 own.py, with the options of every controller."""

@@ -14,6 +14,7 @@
 #include "gateway/runtime/check_parameters.h"
 #include "gateway/runtime/controller_command.h"
 #include "gateway/runtime/plugin.h"
+#include "gateway/runtime/python_file.h"
 #include "gateway/server/teleop_port.h"
 #include "hal/node/exchange/ports.h"
 #include "sim/agents/agent_offer.h"
@@ -118,7 +119,10 @@ void check_without_plugin(const sim::scenario::Group& group, const RunMode& mode
     findings.mistakes.push_back(fmt::format("{}: program: {}", group.program_place, what));
   };
   if (error.code != hal::Errc::kNotAvailable) return add(error.message);
-  if (!has_command(group.program) || mode.controllers == controllers::ControllersFrom::kInProcess) {
+  const bool python_is_missing = mode.controllers == controllers::ControllersFrom::kSpawn &&
+                                 gateway::runtime::is_python(group.program);
+  if (!has_command(group.program) || python_is_missing ||
+      mode.controllers == controllers::ControllersFrom::kInProcess) {
     controllers::warn_of_missing_controller_folders();
     return add(error.message);
   }
