@@ -6,7 +6,8 @@ import unittest
 
 import world
 
-CALLS, WARM, WINDOWS = 1000, 3, 5  # calls that are counted; control cycles before that; how often it is counted at most
+# Under the sanitizers a call costs twenty times as much.
+CALLS, WARM, WINDOWS = 200 if world.SANITIZED else 1000, 3, 5  # calls that are counted; control cycles before that; how often it is counted at most
 CYCLES = 10  # control cycles in which they are
 SMALLEST = 8 if world.SANITIZED else 0.5  # of what can be left by a call: bytes, or blocks
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Environments, agents and the interpreter's lock in several threads and processes."""
+import pathlib
 import subprocess
 import sys
 import textwrap
@@ -287,9 +288,9 @@ class Threads(unittest.TestCase):
         for name in ("_hal", "_process", "_simulator"):
             (file, ) = (world.BIN / "python/baraka").glob(f"{name}*.so")
             self.assertIn(b"__asan_report_load8", file.read_bytes())
-        self.assertIn("libasan", open("/proc/self/maps").read())
+        self.assertIn("libasan", pathlib.Path("/proc/self/maps").read_text())
         self.assertIn(b"__asan_report_load8", (world.BIN / "libbaraka_python.so").read_bytes())
-        self.assertTrue(ctypes.CDLL(None).__asan_init)
+        self.assertTrue(ctypes.CDLL(None)["__asan_init"])
         done = self.child("""\
             import ctypes
             libc = ctypes.CDLL(None)
