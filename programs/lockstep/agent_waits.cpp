@@ -120,9 +120,9 @@ void AgentWaits::release(std::size_t i) {
 
 /// A thread that says that it runs, and sleeps, is in a call of which the library does not know
 /// that it waits. For a short while that may be a lock inside the C library, whose owner is about
-/// to give it back: a thread that begins or ends, which on a busy machine may take long to do so.
+/// to give it back: a thread that begins or ends.
 void AgentWaits::look_at_running(std::size_t i) {
-  constexpr std::int64_t kSure = 200 * kMillisecond, kSureBesideOthers = 5 * kSecond;
+  constexpr std::int64_t kSure = 200 * kMillisecond;
   Thread& thread = threads_[i];
   const SlotState before = slot(i).state.load();
   const KernelState state = look(i);
@@ -133,10 +133,11 @@ void AgentWaits::look_at_running(std::size_t i) {
     return;
   }
   if (state == KernelState::kStopped) return go_on_without(i);
-  if (thread.asleep_since == 0) thread.asleep_since = wall_time();
-  const std::int64_t asleep = wall_time() - thread.asleep_since;
-  if (asleep < kSure) return;
-  if (asleep < kSureBesideOthers && thread.kernel.has_others_awake()) return;
+  if (thread.asleep_since == 0) {
+    thread.asleep_since = wall_time();
+    return;
+  }
+  if (wall_time() - thread.asleep_since < kSure) return;
   const std::string what = fmt::format("{}: {} waits in {}, of which lock-step does not know",
                                        settings_.agent, thread.kernel.name(), thread.kernel.call());
   if (!settings_.allow_unknown) throw std::runtime_error(what);

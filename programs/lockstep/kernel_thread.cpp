@@ -105,15 +105,6 @@ KernelState KernelThread::look() const {
                                                             : KernelState::kAsleep;
 }
 
-bool KernelThread::has_others_awake() const {
-  const auto is_one = [this](const std::filesystem::path& task) {
-    const auto number = number_of(task);
-    return number && *number != thread_ &&
-           KernelThread(process_, *number).look() == KernelState::kAwake;
-  };
-  return first_task(fmt::format("/proc/{}/task", process_), is_one) != 0;
-}
-
 std::string KernelThread::name() const {
   std::string name;
   std::getline(std::ifstream(file("comm")), name);

@@ -34,10 +34,6 @@ class KernelThread {
 
   KernelState look() const;
 
-  /// Whether another thread of its process, of which the library may not know yet or any more, is
-  /// awake.
-  bool has_others_awake() const;
-
   pid_t process() const { return process_; }
   pid_t thread() const { return thread_; }
 
