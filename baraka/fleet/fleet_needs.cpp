@@ -69,6 +69,7 @@ Scenario scenario_of(const FleetPlan& plan, std::size_t point, const std::filesy
 std::vector<std::string> unmatched_needs(const FleetFile& fleet, const FleetPlan& plan,
                                          const std::filesystem::path& scenario) {
   std::vector<std::string> mistakes;
+  std::set<std::string> told;
   for (std::size_t i = 0; i < plan.cases.size(); ++i) {
     if (plan.cases[i].robots != fleet.robots.back()) continue;
     const Scenario one = scenario_of(plan, i, scenario);
@@ -78,7 +79,7 @@ std::vector<std::string> unmatched_needs(const FleetFile& fleet, const FleetPlan
       const auto is_meant = [&](const auto& pair) {
         return hal::matches(need.topic, pair.first) && hal::matches(need.readers, pair.second);
       };
-      if (std::ranges::any_of(pairs, is_meant)) continue;
+      if (std::ranges::any_of(pairs, is_meant) || !told.insert(need.place).second) continue;
       mistakes.push_back(fmt::format(
           "{}: need: no topic like '{}' with a reader like '{}' ({}); "
           "there are {}",

@@ -10,7 +10,8 @@
 namespace baraka::fleet {
 
 /// Needs that are about no topic and reader of the case with the most robots of a radio, site and
-/// profile: "file:line:column: need: …" with the topics that there are. Nothing is said of
+/// profile: "file:line:column: need: …" with the topics that there are, each for the first such
+/// case. Nothing is said of
 /// scenarios with `programs` or controllers inside, whose topics are not known before they run.
 /// @param scenario  its file.
 /// @throws hal::files::config::ConfigErrors  the scenario has mistakes.

@@ -224,6 +224,10 @@ class Mistakes(Fleets):
             self.assertEqual(refused.status, 2, str(refused))
             self.assertIn(words[-1], refused.err)
             self.assertFalse(self.out.exists())
+            two = {**content, "radios": {"fast": {}, "slow": {"radio.data_rate": "6 Mb/s"}}}
+            refused = self.begin(two).finish()
+            self.assertEqual(refused.err.count("need: no topic like"), 1, refused.err)
+            self.assertIn("(fast, 5 robots)", refused.err)
 
 
 if __name__ == "__main__":
