@@ -23,7 +23,7 @@ std::vector<std::string> package_words() {
 std::vector<std::string> python_command(const std::string& program,
                                         const std::vector<fs::path>& folders) {
   for (const fs::path& folder : folders) {
-    const fs::path file = fs::absolute(folder / program);
+    const fs::path file = fs::absolute(folder / program).lexically_normal();
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) continue;
     std::vector<std::string> words{python_interpreter()};

@@ -110,7 +110,7 @@ hal::Result<const hal::ControllerKind*> load_plugin(std::string_view name,
   }
   const std::string file_name = is_python(name) ? std::string(name) : fmt::format("{}.so", name);
   for (const fs::path& folder : folders) {
-    const fs::path file = fs::absolute(folder / file_name);
+    const fs::path file = fs::absolute(folder / file_name).lexically_normal();
     std::error_code ignored;
     if (fs::is_regular_file(file, ignored)) return is_python(name) ? load_python(file) : load(file);
   }

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <map>
@@ -56,9 +57,13 @@ hal::Result<const hal::ControllerKind*> load_python(const fs::path& file) {
   if (const auto found = known.find(file); found != known.end()) return found->second;
   const auto ask = python_library();
   if (!ask) return tl::unexpected(ask.error());
+  const std::string interpreter = python_interpreter();
+  if (::access(interpreter.c_str(), X_OK) != 0) {  // in this process Python would begin as another
+    return hal::fail(hal::Errc::kInvalidArgument,
+                     fmt::format("BARAKA_PYTHON: '{}' is not the path of a program", interpreter));
+  }
   std::string mistake;
-  const hal::ControllerKind* const kind =
-      (*ask)(file.c_str(), python_interpreter().c_str(), mistake);
+  const hal::ControllerKind* const kind = (*ask)(file.c_str(), interpreter.c_str(), mistake);
   if (kind == nullptr) return hal::fail(hal::Errc::kInvalidArgument, std::move(mistake));
   if (kind->build_id != BARAKA_HAL_DIGEST) {
     return hal::fail(hal::Errc::kProtocol,

@@ -13,7 +13,7 @@ namespace gateway::runtime {
 bool is_python(std::string_view program);
 
 /// The interpreter of controllers in Python, as processes and in this one: BARAKA_PYTHON of the
-/// environment, else Debian's.
+/// environment, a path, else Debian's.
 std::string python_interpreter();
 
 /// Asks a Python file for its controller, with Python in this process: the library libbaraka_python

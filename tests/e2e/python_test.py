@@ -265,6 +265,19 @@ class Wrong(Python):
             self.assertIn("own.yaml:10:27: program: controllers in Python need libbaraka_python.so, of the package python3-baraka, "
                           "which is not there", done.err)
 
+    def test_an_interpreter_that_is_not_there_is_named_before_the_run(self):
+        file = self.own("import baraka\nclass Own(baraka.Controller): pass\n")
+        paths = {**self.own_paths(), "BARAKA_PYTHON": "/nowhere/python3"}
+        for mode in ("in-process", "spawn"):
+            done = self.play(file, "--controllers", mode, env=paths, status=2)
+            self.assertIn("own.yaml:10:27: program: BARAKA_PYTHON: '/nowhere/python3' is not the path of a program", done.err)
+
+    def test_a_file_is_named_once_and_without_detours(self):
+        self.own("x = (")
+        (self.folder / "sub").mkdir()
+        done = self.play(self.folder / "own.yaml", env={"BARAKA_CONTROLLER_PATH": f"{self.folder}/sub/.."}, status=2)
+        self.assertIn(f"own.yaml:10:27: program: {self.folder}/own.py:1: SyntaxError: '(' was never closed", done.err)
+
     def test_run_by_hand(self):
         """As on a robot: python3 own.py, with the options of every controller."""
         self.own("""\
