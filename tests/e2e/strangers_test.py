@@ -143,7 +143,7 @@ class Daemon(RealAgents):
         controller.await_text(f"user {OTHER} (", "err")
         time.sleep(1)  # fifty Steps more
         self.assertIsNone(controller.process.poll(), str(controller))
-        self.assertTrue(self.robotino_.state()["moving"], f"{controller}\n{self.daemon}")
+        self.robotino_.await_moving()
 
     def test_a_controller_of_another_user_learns_why_it_gets_nothing(self):
         wanderer = BIN / "wanderer" if (BIN / "wanderer").exists() else BIN.parent / "tests/wanderer"
