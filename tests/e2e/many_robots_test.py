@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Several robots at once: two in the case study, twelve in many_robots.yaml, and broadcasts that meet.
-Run with --all it plays what issue 8 names in full, one process at a time, and prints the tables: 80
+Run with --all it plays all, one process at a time, and prints the tables: 80
 runs of two robots, and 40 hours of twelve (half an hour of a processor)."""
 import statistics
 import sys

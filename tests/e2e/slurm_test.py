@@ -86,7 +86,7 @@ class Campaigns(Case):
 
 
 class LostNodes(Campaigns):
-    """What the issue asks for: one campaign of 20 runs local and under Slurm; on the way one slurmd is
+    """One campaign of 20 runs local and under Slurm; on the way one slurmd is
     killed, then one together with its slurmstepds, whose runs go on."""
 
     def test_20_runs_are_those_of_this_computer_when_nodes_are_lost(self):

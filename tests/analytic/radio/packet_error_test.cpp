@@ -52,8 +52,8 @@ TEST(DsssPacketError, MatchesThePeer) {
   }
 }
 
-// Every OFDM row (6 to 54 Mb/s; the peer has none of 48). The issue asks for 0.005; the same
-// published formula gives 1e-8, the rounding of the rows.
+// Every OFDM row (6 to 54 Mb/s; the peer has none of 48). The same published formula gives 1e-8,
+// the rounding of the rows.
 TEST(OfdmPacketError, MatchesThePeer) {
   const std::vector<Row> rows = peer_rows("nist,g");
   ASSERT_EQ(rows.size(), 158u);
