@@ -41,7 +41,7 @@ bool sleeps(KernelState state) {
 AgentWaits::AgentWaits(WaitPage& page, Settings settings)
     : page_(page),
       settings_(std::move(settings)),
-      tasks_(settings_.processes),
+      tasks_(std::move(settings_.processes)),
       charge_(settings_.per_wake) {}
 
 void AgentWaits::set_time(std::int64_t now) { page_.now.store(now); }

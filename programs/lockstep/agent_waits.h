@@ -10,6 +10,7 @@
 
 #include "programs/lockstep/kernel_thread.h"
 #include "programs/lockstep/processor_charge.h"
+#include "programs/netns/descriptor.h"
 #include "programs/netns/wait_page.h"
 
 namespace programs::lockstep {
@@ -25,10 +26,10 @@ namespace programs::lockstep {
 class AgentWaits {
  public:
   struct Settings {
-    std::string agent;           ///< Its name, for messages.
-    ino_t processes = 0;         ///< Inode of its namespace of process numbers.
-    bool allow_unknown = false;  ///< A thread that waits in an unknown call counts as waiting.
-    std::int64_t per_wake = 0;   ///< Virtual time that the processor takes before each turn, ns.
+    std::string agent;                ///< Its name, for messages.
+    netns::FileDescriptor processes;  ///< Its namespace of process numbers.
+    bool allow_unknown = false;       ///< A thread that waits in an unknown call counts as waiting.
+    std::int64_t per_wake = 0;  ///< Virtual time that the processor takes before each turn, ns.
     /// Called every 50 ms of wall time while programs run. @return false: the run is broken off.
     std::function<bool()> may_go_on;
     std::function<void(const std::string&)> warn;

@@ -2,16 +2,19 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace programs::lockstep {
 namespace {
@@ -79,6 +82,19 @@ pid_t first_task(const std::filesystem::path& folder, const Holds& holds) {
   return 0;
 }
 
+// NS_GET_PID_FROM_PIDNS and NS_GET_TGID_FROM_PIDNS of linux/nsfs.h, which Debian 12's has not yet.
+constexpr unsigned long kThreadFromSpace = _IOR(0xb7, 0x6, int),
+                        kProcessFromSpace = _IOR(0xb7, 0x7, int);
+
+/// A number of this process's namespace for one of another; 0: there is no such thread. None: the
+/// kernel does not translate.
+std::optional<pid_t> translated(const netns::FileDescriptor& space, unsigned long what,
+                                pid_t number) {
+  const int found = ioctl(space.get(), what, number);
+  if (found < 0 && errno == ENOTTY) return std::nullopt;
+  return std::max(found, 0);
+}
+
 }  // namespace
 
 KernelThread::KernelThread(pid_t process, pid_t thread)
@@ -134,18 +150,39 @@ std::string KernelThread::debugger() const {
   return {};
 }
 
+AgentTasks::AgentTasks(netns::FileDescriptor processes)
+    : processes_(std::move(processes)),
+      translates_(translated(processes_, kProcessFromSpace, 1).has_value()) {}
+
 pid_t AgentTasks::outside(pid_t process) {
+  if (translates_) return *translated(processes_, kProcessFromSpace, process);
   pid_t& known = outside_[process];
-  if (known != 0) return known;
-  const auto is_it = [&](const std::filesystem::path& task) {
-    struct stat space {};
-    return stat((task / "ns/pid").c_str(), &space) == 0 && space.st_ino == processes_ &&
-           innermost_number(task) == process;
-  };
-  known = first_task("/proc", is_it);
+  if (known == 0) known = searched(process);
   const pid_t found = known;
   if (found == 0) outside_.erase(process);
   return found;
+}
+
+/// Number outside; 0: there is no such process.
+pid_t AgentTasks::searched(pid_t process) const {
+  struct stat own {};
+  fstat(processes_.get(), &own);
+  return first_task("/proc", [&](const std::filesystem::path& task) {
+    struct stat space {};
+    return stat((task / "ns/pid").c_str(), &space) == 0 && space.st_ino == own.st_ino &&
+           innermost_number(task) == process;
+  });
+}
+
+/// @param process  number outside; @param thread  inside. @return number outside; 0: it has ended.
+pid_t AgentTasks::thread_outside(pid_t process, pid_t thread) const {
+  if (!translates_) {
+    return first_task(
+        fmt::format("/proc/{}/task", process),
+        [&](const std::filesystem::path& task) { return innermost_number(task) == thread; });
+  }
+  const bool is_of_process = *translated(processes_, kProcessFromSpace, thread) == process;
+  return is_of_process ? *translated(processes_, kThreadFromSpace, thread) : 0;
 }
 
 bool AgentTasks::has_ended(pid_t process) {
@@ -162,9 +199,7 @@ bool AgentTasks::has_ended(pid_t process) {
 KernelThread AgentTasks::find(pid_t process, pid_t thread) {
   const pid_t number = outside(process);
   if (number == 0) return {};
-  const pid_t found = first_task(
-      fmt::format("/proc/{}/task", number),
-      [&](const std::filesystem::path& task) { return innermost_number(task) == thread; });
+  const pid_t found = thread_outside(number, thread);
   if (found == 0) forget(process);  // its number may be another one's by now
   return found == 0 ? KernelThread() : KernelThread(number, found);
 }

@@ -51,11 +51,14 @@ class KernelThread {
   netns::FileDescriptor wchan_, stat_, syscall_;
 };
 
-/// Finds the threads of an agent, whose programs know them by numbers of their own.
+/// Finds the threads of an agent, whose programs know them by numbers of their own. Since
+/// Linux 6.11 the kernel translates numbers (ioctl_nsfs(2)); with an older one /proc is searched
+/// once for each process. Where runs beside each other do that, the kernel spins for up to minutes
+/// when a process ends at which one of them looks (shrink_dcache_parent() of Linux 6.18).
 class AgentTasks {
  public:
-  /// @param processes  inode of the agent's namespace of process numbers.
-  explicit AgentTasks(ino_t processes) : processes_(processes) {}
+  /// @param processes  the agent's namespace of process numbers.
+  explicit AgentTasks(netns::FileDescriptor processes);
 
   /// @param process, thread  numbers inside. @return of no thread: it has ended.
   KernelThread find(pid_t process, pid_t thread);
@@ -69,8 +72,12 @@ class AgentTasks {
   void forget(pid_t process) { outside_.erase(process); }
 
  private:
-  ino_t processes_;
-  std::map<pid_t, pid_t> outside_;
+  pid_t searched(pid_t process) const;
+  pid_t thread_outside(pid_t process, pid_t thread) const;
+
+  netns::FileDescriptor processes_;
+  bool translates_;                 ///< The kernel does.
+  std::map<pid_t, pid_t> outside_;  ///< What was searched.
 };
 
 }  // namespace programs::lockstep

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/stat.h>
 
 #include <array>
 #include <bit>
@@ -264,12 +263,10 @@ RoomPage& Namespaces::room(std::size_t agent) { return *state_->agents.at(agent)
 
 WaitPage& Namespaces::waits(std::size_t agent) { return state_->agents.at(agent).page.waits(); }
 
-ino_t Namespaces::processes(std::size_t agent) const {
-  const std::string path = fmt::format("/proc/{}/fd/{}", state_->run.init.number,
-                                       state_->run.agents.at(agent).processes);
-  struct stat space {};
-  if (stat(path.c_str(), &space) != 0) fail(path);
-  return space.st_ino;
+FileDescriptor Namespaces::processes(std::size_t agent) const {
+  return open_file(fmt::format("/proc/{}/fd/{}", state_->run.init.number,
+                               state_->run.agents.at(agent).processes),
+                   O_RDONLY);
 }
 
 bool Namespaces::has_tcp_timer(std::size_t agent) const {

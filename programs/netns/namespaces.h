@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "programs/netns/descriptor.h"
 #include "programs/netns/program_time.h"
 #include "programs/netns/room_page.h"
 #include "programs/netns/wait_page.h"
@@ -141,8 +142,8 @@ class Namespaces {
 
   /// For lock-step: see programs/lockstep.
   WaitPage& waits(std::size_t agent);
-  /// Inode of the agent's namespace of process numbers. @throws std::runtime_error  it is gone.
-  ino_t processes(std::size_t agent) const;
+  /// The agent's namespace of process numbers. @throws std::runtime_error  it is gone.
+  FileDescriptor processes(std::size_t agent) const;
 
   /// Agents for which the kernel was to send messages of ICMP and did not, see icmp.h, and how
   /// many: packets that never came to wlan0.
