@@ -12,8 +12,8 @@
 #include "sim/radio/channel/band.h"
 #include "sim/radio/channel/random_loss.h"
 #include "sim/radio/infrastructure/infrastructure.h"
-#include "sim/radio/mac/dcf_mac.h"
 #include "sim/radio/mac/disk_mac.h"
+#include "sim/radio/mac/ieee80211_mac.h"
 #include "sim/radio/mac/mac_parts.h"
 #include "sim/radio/mac/mobility_framework_mac.h"
 #include "sim/radio/phy/radio.h"
@@ -243,10 +243,10 @@ struct RadioNetwork::State {
   void add(const Station& station, Air& air, const StationProfile& profile,
            const MacBase::Context& context, const DcfConfig& one) {
     Radio& radio = add_radio(station, air, profile);
-    auto dcf = std::make_unique<DcfMac>(
+    auto dcf = std::make_unique<Ieee80211Mac>(
         context, one, radio,
-        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates"),
-                        stream(station, "/flows").next()});
+        Ieee80211Mac::Streams{stream(station, "/backoff"), stream(station, "/rates"),
+                              stream(station, "/flows").next()});
     macs.push_back(infrastructure->completed(
         {context, one, *rates_of(profile.config), stream(station, "/scan")}, std::move(dcf)));
   }

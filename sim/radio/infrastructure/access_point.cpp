@@ -6,7 +6,7 @@
 namespace sim::radio {
 
 AccessPoint::AccessPoint(const Context& context, const DcfConfig& config,
-                         std::unique_ptr<DcfMac> dcf, const Network& network)
+                         std::unique_ptr<Ieee80211Mac> dcf, const Network& network)
     : BssMac(context, config, std::move(dcf)), network_(network) {
   network_.distribution.add(*this);
   update_ht_operation();

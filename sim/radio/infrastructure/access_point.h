@@ -26,7 +26,7 @@ class AccessPoint final : public BssMac, private DistributionPort {
     double rssi_dbm, snr_db;
   };
 
-  AccessPoint(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
+  AccessPoint(const Context& context, const DcfConfig& config, std::unique_ptr<Ieee80211Mac> dcf,
               const Network& network);
 
  private:

@@ -7,7 +7,7 @@
 
 namespace sim::radio {
 
-BssMac::BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf)
+BssMac::BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<Ieee80211Mac> dcf)
     : MacBase(context),
       config_(config),
       dcf_(std::move(dcf)),

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "sim/radio/mac/dcf_mac.h"
+#include "sim/radio/mac/ieee80211_mac.h"
 
 namespace sim::radio {
 
@@ -30,7 +30,7 @@ class BssMac : public MacBase, protected FrameListener, protected MsduQueueClien
   using Waiting = WaitingMsdu;
 
   /// @param config  outlives the MAC.
-  BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf);
+  BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<Ieee80211Mac> dcf);
 
   /// Makes the frame for the request whose turn it is. @return nullopt if the request takes another
   /// path, which this call has started.
@@ -72,7 +72,7 @@ class BssMac : public MacBase, protected FrameListener, protected MsduQueueClien
   void hand_down(const MacRequest& frame);
 
   const DcfConfig& config_;
-  std::unique_ptr<DcfMac> dcf_;
+  std::unique_ptr<Ieee80211Mac> dcf_;
   MsduQueues* queues_;  ///< Of the DCF; null if data wait in data_.
   std::deque<MacRequest> management_;
   std::deque<Waiting> data_;

@@ -4,8 +4,8 @@
 #include <utility>
 
 namespace sim::radio {
-BssStation::BssStation(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
-                       Membership membership)
+BssStation::BssStation(const Context& context, const DcfConfig& config,
+                       std::unique_ptr<Ieee80211Mac> dcf, Membership membership)
     : BssMac(context, config, std::move(dcf)),
       access_points_(std::move(membership.access_points)),
       has_ht_(membership.bss.capabilities.has_value()),

@@ -20,7 +20,7 @@ class BssStation final : public BssMac, private Association::Client {
     hal::RandomStream scan;                   ///< "<agent>/scan"
   };
 
-  BssStation(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
+  BssStation(const Context& context, const DcfConfig& config, std::unique_ptr<Ieee80211Mac> dcf,
              Membership membership);
 
  private:

@@ -7,7 +7,7 @@
 #include "sim/radio/channel/propagation.h"
 #include "sim/radio/infrastructure/access_point.h"
 #include "sim/radio/infrastructure/bss_station.h"
-#include "sim/radio/mac/dcf_mac.h"
+#include "sim/radio/mac/ieee80211_mac.h"
 
 namespace sim::radio {
 namespace {
@@ -89,7 +89,7 @@ Infrastructure::Infrastructure(const BssConfig& config,
 }
 
 std::unique_ptr<MacBase> Infrastructure::completed(const Member& member,
-                                                   std::unique_ptr<DcfMac> dcf) {
+                                                   std::unique_ptr<Ieee80211Mac> dcf) {
   if (std::ranges::binary_search(access_points_, member.context.agent)) {
     return access_point(member, std::move(dcf));
   }
@@ -103,7 +103,7 @@ std::unique_ptr<MacBase> Infrastructure::completed(const Member& member,
 
 /// Target beacon transmission times are spread evenly over the interval.
 std::unique_ptr<MacBase> Infrastructure::access_point(const Member& member,
-                                                      std::unique_ptr<DcfMac> dcf) {
+                                                      std::unique_ptr<Ieee80211Mac> dcf) {
   const auto place =
       std::ranges::find(access_points_, member.context.agent) - access_points_.begin();
   const auto count = static_cast<std::int64_t>(access_points_.size());

@@ -12,7 +12,7 @@
 
 namespace sim::radio {
 
-class DcfMac;
+class Ieee80211Mac;
 
 /// Infrastructure mode of one network: its access points, their stations, and the distribution
 /// system.
@@ -32,10 +32,10 @@ class Infrastructure {
                  EventQueue& events);
 
   /// Completes the MAC of a station: if it is in a BSS, adds the BSS layer above its DCF.
-  std::unique_ptr<MacBase> completed(const Member& member, std::unique_ptr<DcfMac> dcf);
+  std::unique_ptr<MacBase> completed(const Member& member, std::unique_ptr<Ieee80211Mac> dcf);
 
  private:
-  std::unique_ptr<MacBase> access_point(const Member& member, std::unique_ptr<DcfMac> dcf);
+  std::unique_ptr<MacBase> access_point(const Member& member, std::unique_ptr<Ieee80211Mac> dcf);
 
   const BssConfig& config_;
   DistributionSystem distribution_;

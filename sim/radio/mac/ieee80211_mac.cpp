@@ -1,4 +1,4 @@
-#include "sim/radio/mac/dcf_mac.h"
+#include "sim/radio/mac/ieee80211_mac.h"
 
 #include <utility>
 #include <variant>
@@ -16,8 +16,8 @@ Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 }  // namespace
 
-DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
-               const Streams& streams)
+Ieee80211Mac::Ieee80211Mac(const Context& context, const DcfConfig& config, Radio& radio,
+                           const Streams& streams)
     : MacBase(context),
       config_(config),
       radio_(radio),
@@ -43,7 +43,7 @@ DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
   queues()->set_client(*own_requests_);
 }
 
-void DcfMac::transmit(const MacRequest& request) {
+void Ieee80211Mac::transmit(const MacRequest& request) {
   check(request);
   if (!radio_on()) return report_later(request, hal::Verdict::kRadioOff);
   if (queues() != nullptr && !is_management(request.header.type)) {
@@ -57,18 +57,18 @@ void DcfMac::transmit(const MacRequest& request) {
   ask(function);
 }
 
-bool DcfMac::queue(WaitingMsdu waiting) {
+bool Ieee80211Mac::queue(WaitingMsdu waiting) {
   const MacRequest& request = waiting.request;
   const MsduQueues::Name name{originator_.function_of(request),
                               queues()->client().queue_for(request.destination)};
   return queues()->push(name, std::move(waiting), now());
 }
 
-void DcfMac::serve() {
+void Ieee80211Mac::serve() {
   for (ContentionFunction function = 0; function < access_.functions(); ++function) ask(function);
 }
 
-void DcfMac::set_radio(bool on) {
+void Ieee80211Mac::set_radio(bool on) {
   if (on == radio_on()) return;
   radio_.set_on(on);
   sequence_.reset();
@@ -79,12 +79,12 @@ void DcfMac::set_radio(bool on) {
 }
 
 /// Asks for the medium, unless the function has it.
-void DcfMac::ask(ContentionFunction function) {
+void Ieee80211Mac::ask(ContentionFunction function) {
   const bool has_it = !sequence_.is_idle() && sequence_.exchange().function == function;
   if (!has_it && originator_.has_work(function)) access_.request(function);
 }
 
-void DcfMac::on_access(ContentionFunction function) {
+void Ieee80211Mac::on_access(ContentionFunction function) {
   // Within the CCA time another function of this station has begun to send.
   if (!sequence_.is_idle()) return go_on(function, true);
   const hal::Duration limit = access_.txop_limit(function);
@@ -97,7 +97,7 @@ void DcfMac::on_access(ContentionFunction function) {
   if (exchange) sequence_.start(*exchange);
 }
 
-void DcfMac::on_internal_collision(ContentionFunction function) {
+void Ieee80211Mac::on_internal_collision(ContentionFunction function) {
   EndedMsdus ended;
   const bool given_up = originator_.on_internal_collision(function, now(), ended);
   go_on(function, given_up);
@@ -105,7 +105,7 @@ void DcfMac::on_internal_collision(ContentionFunction function) {
 }
 
 /// Starts the next backoff of a function, and asks for the medium if there is something to send.
-void DcfMac::go_on(ContentionFunction function, bool window_starts_anew) {
+void Ieee80211Mac::go_on(ContentionFunction function, bool window_starts_anew) {
   if (window_starts_anew) {
     access_.reset_window(function);
   } else {
@@ -115,7 +115,7 @@ void DcfMac::go_on(ContentionFunction function, bool window_starts_anew) {
   ask(function);
 }
 
-void DcfMac::on_exchange_end(ExchangeEnd end, const BlockAckFields* answer) {
+void Ieee80211Mac::on_exchange_end(ExchangeEnd end, const BlockAckFields* answer) {
   const Exchange exchange = sequence_.exchange();
   EndedMsdus ended;
   bool window_starts_anew = true;
@@ -143,7 +143,7 @@ void DcfMac::on_exchange_end(ExchangeEnd end, const BlockAckFields* answer) {
 }
 
 /// Starts the next exchange in the same TXOP if there is one and it fits.
-bool DcfMac::continues_txop(const Exchange& exchange) {
+bool Ieee80211Mac::continues_txop(const Exchange& exchange) {
   const ContentionFunction function = exchange.function;
   if (access_.txop_limit(function) == hal::Duration{}) return false;
   const hal::Duration left = txop_end_ - now() - carrier_.timing().sifs;
@@ -157,20 +157,20 @@ bool DcfMac::continues_txop(const Exchange& exchange) {
   return true;
 }
 
-void DcfMac::end_all(const EndedMsdus& ended) {
+void Ieee80211Mac::end_all(const EndedMsdus& ended) {
   for (const EndedMsdu& one : ended) {
     if (one.request.header.type != FrameType::kAction) report(one.request, one.verdict);
   }
 }
 
-void DcfMac::end_all_later(EndedMsdus& ended) {
+void Ieee80211Mac::end_all_later(EndedMsdus& ended) {
   for (EndedMsdu& one : ended) {
     if (one.request.header.type == FrameType::kAction) continue;
     report_later(std::move(one.request), one.verdict);
   }
 }
 
-void DcfMac::on_receive(const ReceivedPpdu& received) {
+void Ieee80211Mac::on_receive(const ReceivedPpdu& received) {
   // All MPDUs of a PPDU have the same receiver and Duration.
   const Frame& frame = received.ppdu.first();
   carrier_.on_right_frame();
@@ -189,14 +189,14 @@ void DcfMac::on_receive(const ReceivedPpdu& received) {
   }
 }
 
-void DcfMac::on_receive_error(ReceiveError error) {
+void Ieee80211Mac::on_receive_error(ReceiveError error) {
   const bool had_start = error != ReceiveError::kHeader;  // PHY-RXSTART
   if (had_start || config_.receiver.header_error == HeaderError::kEifs) carrier_.begin_eifs();
   // Without PHY-RXSTART the timeout continues.
   if (had_start) sequence_.on_wrong_answer();
 }
 
-void DcfMac::on_unicast(const ReceivedPpdu& received) {
+void Ieee80211Mac::on_unicast(const ReceivedPpdu& received) {
   const Frame& frame = received.ppdu.first();
   if (frame.type == FrameType::kRts) {
     // Another station near this one has reserved the medium: no CTS (10.3.2.9).
@@ -215,7 +215,7 @@ void DcfMac::on_unicast(const ReceivedPpdu& received) {
   recipient_.accept(received);
 }
 
-void DcfMac::charge_sender(const Ppdu& ppdu) {
+void Ieee80211Mac::charge_sender(const Ppdu& ppdu) {
   const Frame& frame = ppdu.first();
   MacRequest answer;
   answer.priority = frame.priority;
@@ -223,13 +223,13 @@ void DcfMac::charge_sender(const Ppdu& ppdu) {
   originator_.charge(frame.transmitter, function, ppdu.airtime);
 }
 
-void DcfMac::on_mpdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+void Ieee80211Mac::on_mpdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   if (frame.type == FrameType::kAction) return on_action(frame);
   if (frame.amsdu != nullptr) return on_amsdu(frame, rssi, snr);
   hand_up(frame, rssi, snr);
 }
 
-void DcfMac::on_action(const Frame& frame) {
+void Ieee80211Mac::on_action(const Frame& frame) {
   const std::optional<BlockAckAction> action = decode_block_ack_action(*frame.payload);
   if (!action) return;
   const hal::AgentId from = frame.transmitter;
@@ -242,7 +242,7 @@ void DcfMac::on_action(const Frame& frame) {
              *action);
 }
 
-void DcfMac::on_amsdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+void Ieee80211Mac::on_amsdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   for (const AmsduPart& part : *frame.amsdu) {
     Frame msdu = frame;
     msdu.amsdu = nullptr;
@@ -255,7 +255,7 @@ void DcfMac::on_amsdu(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   }
 }
 
-void DcfMac::send_action(const Frame& about, const BlockAckAction& action) {
+void Ieee80211Mac::send_action(const Frame& about, const BlockAckAction& action) {
   const hal::AgentId bssid = about.ds == Ds::kTo     ? about.receiver
                              : about.ds == Ds::kFrom ? about.transmitter
                                                      : about.address3;

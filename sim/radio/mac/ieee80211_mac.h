@@ -21,11 +21,11 @@ namespace sim::radio {
 /// The MAC of IEEE Std 802.11-2020, clause 10: distributed channel access with DCF or, for QoS
 /// stations, EDCA, and Block Ack. It joins the parts: ChannelAccess says when, Originator what,
 /// FrameSequence in which frames; Recipient handles what others send.
-class DcfMac final : public MacBase,
-                     public RadioListener,
-                     private ChannelAccessListener,
-                     private FrameSequenceListener,
-                     private RecipientListener {
+class Ieee80211Mac final : public MacBase,
+                           public RadioListener,
+                           private ChannelAccessListener,
+                           private FrameSequenceListener,
+                           private RecipientListener {
  public:
   struct Streams {
     hal::RandomStream backoff;
@@ -33,7 +33,8 @@ class DcfMac final : public MacBase,
     std::uint64_t flows = 0;  ///< Seed of flow_hash().
   };
   /// @param config  outlives the MAC.
-  DcfMac(const Context& context, const DcfConfig& config, Radio& radio, const Streams& streams);
+  Ieee80211Mac(const Context& context, const DcfConfig& config, Radio& radio,
+               const Streams& streams);
 
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = true}; }
   void transmit(const MacRequest& request) override;
@@ -85,7 +86,7 @@ class DcfMac final : public MacBase,
   /// Its own requests in queues of receivers.
   class OwnRequests final : public MsduQueueClient {
    public:
-    explicit OwnRequests(DcfMac& mac) : mac_(mac) {}
+    explicit OwnRequests(Ieee80211Mac& mac) : mac_(mac) {}
     std::optional<MacRequest> on_turn(WaitingMsdu waiting) override {
       return std::move(waiting.request);
     }
@@ -94,7 +95,7 @@ class DcfMac final : public MacBase,
     }
 
    private:
-    DcfMac& mac_;
+    Ieee80211Mac& mac_;
   };
 
   const DcfConfig& config_;

@@ -13,7 +13,7 @@ namespace sim::radio::test {
 /// Infrastructure mode on 802.11b; station 1, called s1, is the access point unless the test says
 /// otherwise. Times by hand: no
 /// propagation delay.
-class BssTest : public DcfMacTest {
+class BssTest : public Ieee80211MacTest {
  protected:
   DcfConfig& dcf() { return *dcf_of(air.config); }
 

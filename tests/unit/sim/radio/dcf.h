@@ -20,9 +20,9 @@ inline constexpr hal::Duration kEifs = 364us;
 inline constexpr hal::Duration kTimeout = 222us;
 
 /// Stations 600 m apart hear their neighbours only: at 40 mW the carrier is sensed up to 787 m.
-class DcfMacTest : public testing::Test {
+class Ieee80211MacTest : public testing::Test {
  protected:
-  DcfMacTest() : air(Profile::kIeee80211b) {
+  Ieee80211MacTest() : air(Profile::kIeee80211b) {
     waves_of(air.config)->propagation.propagation_delay = false;  // times by hand
     waves_of(air.config)->propagation.interference_floor =
         waves_of(air.config)->receiver.sensitivity;

@@ -10,7 +10,7 @@ namespace {
 using hal::Verdict;
 
 /// When a station may send: DIFS, EIFS, backoff, NAV.
-class DcfAccess : public DcfMacTest {};
+class DcfAccess : public Ieee80211MacTest {};
 
 TEST_F(DcfAccess, WaitsForDifsAfterAFrameOfOthers) {
   build_line(2);

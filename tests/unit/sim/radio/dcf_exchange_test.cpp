@@ -10,7 +10,7 @@ namespace {
 using hal::Verdict;
 
 /// Frame exchanges, retries and queue.
-class DcfExchange : public DcfMacTest {};
+class DcfExchange : public Ieee80211MacTest {};
 
 TEST_F(DcfExchange, TakesALongIdleMediumAtOnce) {
   build_line(2);

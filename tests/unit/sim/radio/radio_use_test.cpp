@@ -7,7 +7,7 @@
 namespace sim::radio::test {
 namespace {
 
-class RadioUseTest : public DcfMacTest {
+class RadioUseTest : public Ieee80211MacTest {
  protected:
   /// Of stations 1, 2, ... at a time.
   std::vector<RadioUse> use_at(hal::Duration time) {
