@@ -52,9 +52,8 @@ class KernelThread {
 };
 
 /// Finds the threads of an agent, whose programs know them by numbers of their own. Since
-/// Linux 6.11 the kernel translates numbers (ioctl_nsfs(2)); with an older one /proc is searched
-/// once for each process. Where runs beside each other do that, the kernel spins for up to minutes
-/// when a process ends at which one of them looks (shrink_dcache_parent() of Linux 6.18).
+/// Linux 6.11 the kernel translates numbers (ioctl_nsfs(2)); with an older one all of /proc is
+/// searched once for each process.
 class AgentTasks {
  public:
   /// @param processes  the agent's namespace of process numbers.
