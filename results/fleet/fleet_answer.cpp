@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "results/fleet/fleet_cause.h"
+#include "results/statistics/clustered_quantile.h"
 
 namespace results::fleet {
 namespace {
@@ -26,6 +28,20 @@ std::optional<Estimate> estimate(const std::vector<FleetRun>& runs, Support::Kin
 
 using MeasureIn = std::function<const SampleMeasure*(const FleetRun&)>;
 
+/// In one run, robots and topics keep their places in time to each other, and whether a small
+/// sample waits behind a large one is decided for all of them: the median of one run can be either
+/// time, and the mean of such medians neither.
+std::optional<Estimate> latency_of(const std::vector<FleetRun>& runs, const MeasureIn& in,
+                                   double p) {
+  std::vector<std::span<const double>> clusters;
+  for (const FleetRun& run : runs) {
+    if (const SampleMeasure* const measure = in(run)) clusters.emplace_back(measure->latencies);
+  }
+  const auto found = statistics::clustered_quantile(clusters, p);
+  if (!found) return std::nullopt;
+  return Estimate{found->value, found->interval, found->clusters};
+}
+
 SampleAnswer samples_of(const std::vector<FleetRun>& runs, const MeasureIn& in) {
   SampleAnswer answer;
   const auto of = [&](Support::Kind kind, const auto& get) {
@@ -41,9 +57,9 @@ SampleAnswer samples_of(const std::vector<FleetRun>& runs, const MeasureIn& in) 
     if (m.samples == 0) return std::nullopt;
     return static_cast<double>(m.first_try) / static_cast<double>(m.samples);
   });
-  answer.p50 = of(kTime, [](const SampleMeasure& m) { return m.latency(0.50); });
-  answer.p95 = of(kTime, [](const SampleMeasure& m) { return m.latency(0.95); });
-  answer.p99 = of(kTime, [](const SampleMeasure& m) { return m.latency(0.99); });
+  answer.p50 = latency_of(runs, in, 0.50);
+  answer.p95 = latency_of(runs, in, 0.95);
+  answer.p99 = latency_of(runs, in, 0.99);
   answer.age = of(kTime, [](const SampleMeasure& m) { return m.age95; });
   answer.discovered = of(kTime, [](const SampleMeasure& m) { return m.discovered; });
   for (const FleetRun& run : runs) {
@@ -120,7 +136,7 @@ bool fails_less(const CaseAnswer& a, const CaseAnswer& b) {
   if (a.misses.size() != b.misses.size()) return a.misses.size() < b.misses.size();
   const auto delivered = [](const CaseAnswer& one) {
     double sum = 0;
-    for (const SampleAnswer& need : one.needs) sum += need.delivered ? need.delivered->mean : 0;
+    for (const SampleAnswer& need : one.needs) sum += need.delivered ? need.delivered->value : 0;
     return sum;
   };
   return delivered(a) > delivered(b);
@@ -199,7 +215,7 @@ std::vector<const FleetLine*> ranked(const std::vector<FleetLine>& lines, std::s
 
 double air_of(const CaseAnswer& one) {
   double sum = 0;
-  for (const auto& [what, share] : one.air) sum += share.mean;
+  for (const auto& [what, share] : one.air) sum += share.value;
   return sum;
 }
 

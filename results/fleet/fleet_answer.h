@@ -13,16 +13,18 @@
 
 namespace results::fleet {
 
-/// The mean of a quantity over the runs of a case that have it.
+/// A quantity of a case, of the runs that have it: the mean over them, or a quantile of all of
+/// their samples together.
 struct Estimate {
-  double mean = 0;
-  std::optional<statistics::Interval> interval{};  ///< Of the mean, at statistics::kLevel.
+  double value = 0;
+  std::optional<statistics::Interval> interval{};  ///< At statistics::kLevel; none: one run.
   std::size_t runs = 0;
 };
 
 /// Samples of some topics over the runs of a case. nullopt: no run has the quantity.
 struct SampleAnswer {
-  std::optional<Estimate> delivered, first_try, p50, p95, p99, age, discovered;
+  std::optional<Estimate> delivered, first_try, age, discovered;  ///< Means over the runs.
+  std::optional<Estimate> p50, p95, p99;    ///< Latency of all samples that arrived. [s]
   std::uint64_t pairs = 0, silent = 0;      ///< Sums over the runs.
   std::uint64_t samples = 0, repaired = 0;  ///< Likewise.
   std::uint64_t under_way = 0;              ///< Likewise.

@@ -75,17 +75,17 @@ std::string busy_text(const CaseAnswer& answer) {
   std::string text = answer.busiest.empty()
                          ? std::string("the medium is idle")
                          : fmt::format("the medium at {} is busy {} of the time", answer.busiest,
-                                       share_text(answer.busy->mean));
+                                       share_text(answer.busy->value));
   if (answer.backlogged && !answer.most_backlogged.empty()) {
     text += fmt::format(", {} has frames to send in {}", answer.most_backlogged,
-                        share_text(answer.backlogged->mean));
+                        share_text(answer.backlogged->value));
   }
   return text;
 }
 
 bool is_full(const CaseAnswer& answer) {
-  return answer.busy && answer.busy->mean >= kBusy && answer.backlogged &&
-         answer.backlogged->mean >= kSaturated;
+  return answer.busy && answer.busy->value >= kBusy && answer.backlogged &&
+         answer.backlogged->value >= kSaturated;
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -124,7 +124,7 @@ void explain_delay(const CaseAnswer& answer, const SampleAnswer& need, Miss& mis
   } else if (answer.handovers > 0) {
     miss.cause = Cause::kHandover;
     parts.push_back(fmt::format("{:.1f} handovers in a run", answer.handovers));
-  } else if (answer.backlogged && answer.backlogged->mean >= kMany) {
+  } else if (answer.backlogged && answer.backlogged->value >= kMany) {
     miss.cause = Cause::kQueue;
   }
   parts.push_back(fmt::format("DDS repaired {} of the samples", share_text(repaired)));
@@ -149,7 +149,7 @@ void explain_silence(const CaseAnswer& answer, const SampleAnswer& need, Miss& m
 /// Readers whose newest sample is old, or latencies: for want of samples, or because they are late.
 void explain_age(const CaseAnswer& answer, const SampleAnswer& need, Miss& miss) {
   constexpr double kMany = 0.05;
-  const bool is_lossy = need.delivered && need.delivered->mean < 1 - kMany;
+  const bool is_lossy = need.delivered && need.delivered->value < 1 - kMany;
   (is_lossy ? explain_losses : explain_delay)(answer, need, miss);
 }
 
@@ -182,7 +182,7 @@ bool is_met(const Limit& limit, const SampleAnswer& found) {
   const std::size_t runs = (value ? value->runs : 0) + found.unsent;
   if (runs < found.runs) return false;
   if (!value) return true;
-  return limit.is_least ? value->mean >= *limit.asked : value->mean <= *limit.asked;
+  return limit.is_least ? value->value >= *limit.asked : value->value <= *limit.asked;
 }
 
 std::string said(const Limit& limit, const SampleAnswer& found) {
@@ -193,7 +193,7 @@ std::string said(const Limit& limit, const SampleAnswer& found) {
   const std::optional<Estimate>& value = *limit.found;
   if (!value) return fmt::format("{}: nothing arrived, asked {}", limit.name, asked);
   const std::size_t without = found.runs - found.unsent - value->runs;
-  return fmt::format("{} {}{}, asked {}", limit.name, text(value->mean),
+  return fmt::format("{} {}{}, asked {}", limit.name, text(value->value),
                      without == 0 ? "" : fmt::format(", nothing arrived in {} runs", without),
                      asked);
 }

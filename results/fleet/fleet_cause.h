@@ -13,8 +13,8 @@ namespace results::fleet {
 /// Selected Areas in Communications 18(3), 2000).
 inline constexpr double kSaturated = 0.9, kBusy = 0.4;
 
-/// The limits that a case misses, with causes. A limit is missed if the mean over the runs is
-/// beyond it, or if a run has no such quantity.
+/// The limits that a case misses, with causes. A limit is missed if the Estimate over the
+/// runs is beyond it, or if a run has no such quantity.
 std::vector<Miss> misses_of(const FleetFile& fleet, const CaseAnswer& answer);
 
 /// A share as "97.3 %", a time as "12.4 ms".

@@ -58,7 +58,7 @@ report::Plot::Mark mark_of(const CaseAnswer& one, const Estimate& value, double 
   report::Plot::Mark mark;
   mark.x = one.which.robots;
   mark.x_text = std::to_string(one.which.robots);
-  mark.y = factor * value.mean;
+  mark.y = factor * value.value;
   if (value.interval) {
     mark.interval = {factor * value.interval->low, factor * value.interval->high};
   }
@@ -143,8 +143,8 @@ std::string fleet_page(const FleetFile& fleet, const std::vector<FleetLine>& lin
   }
   text += table(summary_cells(fleet, lines), "words");
   text += fmt::format(
-      "<p>Samples sent from {} s to {} s; means over the runs, with 95 % intervals. What is on the "
-      "air, of the whole runs.</p>\n",
+      "<p>Samples sent from {} s to {} s; means over the runs, and latencies of the samples of "
+      "all runs together, with 95 % intervals. What is on the air, of the whole runs.</p>\n",
       hal::to_seconds(fleet.warm_up), end_of(fleet, lines));
   text += profiles(fleet, lines);
   for (const FleetLine& line : lines) {

@@ -19,8 +19,8 @@ struct CellWriter {
 
   std::string operator()(const std::optional<Estimate>& value, std::string (*text)(double)) const {
     if (!value) return "-";
-    if (!value->interval || intervals == Intervals::kNone) return text(value->mean);
-    return fmt::format("{} ({} … {})", text(value->mean), text(value->interval->low),
+    if (!value->interval || intervals == Intervals::kNone) return text(value->value);
+    return fmt::format("{} ({} … {})", text(value->value), text(value->interval->low),
                        text(value->interval->high));
   }
 };

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "results/statistics/quantile.h"
-
 namespace results::fleet {
 namespace {
 
@@ -121,11 +119,6 @@ std::optional<hal::Time> first_arrival(const SamplePair& pair) {
 std::optional<double> SampleMeasure::delivered_share() const {
   if (samples == 0) return std::nullopt;
   return static_cast<double>(delivered) / static_cast<double>(samples);
-}
-
-std::optional<double> SampleMeasure::latency(double p) const {
-  if (latencies.empty()) return std::nullopt;
-  return statistics::quantile_of_sorted(latencies, p);
 }
 
 SampleMeasure measure(const std::vector<const SamplePair*>& pairs, const Window& window) {

@@ -65,7 +65,6 @@ struct SampleMeasure {
 
   /// nullopt: nothing was sent in the window.
   std::optional<double> delivered_share() const;
-  std::optional<double> latency(double p) const;  ///< s; nullopt: nothing was delivered.
 };
 
 /// Samples of the last kGrace that are neither delivered nor lost at the end of the run are left

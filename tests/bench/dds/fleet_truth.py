@@ -2,12 +2,15 @@
 """Is the answer of `baraka fleet` from a recording that of the programs themselves?
 
     cmake --build build/release --target baraka baraka-holder baraka-topics-cyclonedds cyclone_load
-    tests/bench/dds/fleet_truth.py [--fleets N...] [--runs N] [--seconds S] [--again] [--out DIR]
+    tests/bench/dds/fleet_truth.py [--fleets N...] [--runs N] [--seconds S] [--warm-up S]
+                                   [--again] [--out DIR]
 
 Ten fleets: three mixes of topics, 802.11g, n and ac, one and two access points. Of each, one robot's programs (Cyclone DDS, a
 process for each topic) run with a base for `--recorded` seconds, and what the robot's radio sends and receives is captured. Then
-the fleet is asked twice for the same numbers of robots: with the topics of the capture, played by baraka-topics-cyclonedds,
-and with those programs in every robot. Compared are the largest numbers of robots and, where both hold, shares and latencies.
+the fleet is asked twice for the same numbers of robots, up to the first that does not hold: with the topics of the capture, played
+by baraka-topics-cyclonedds, and with those programs in every robot. Compared are the largest numbers of robots and, where both
+hold, shares and medians of the latency. `within` counts the medians that differ by at most 15 %, and `intervals` those whose 95 %
+intervals overlap: how topics lie to each other in time is drawn once in a run, so few runs say little about latencies.
 With --again the first answer is that of the programs, too, with other seeds: what the numbers of few runs are worth.
 """
 import argparse
@@ -101,32 +104,45 @@ def record(options, fleet, folder):
 
 
 def ask(options, fleet, folder, kind, robots, base, *, seed=1):
-    """The largest number of robots, and the means by number and topic."""
+    """The largest number of robots up to which all hold, and the rows of the table by number and topic."""
     write(folder / f"{kind}_scenario.yaml", scenario(fleet, robots, base))
-    file = write(folder / f"{kind}.yaml", {
-        "version": 1, "scenario": f"{kind}_scenario.yaml", "need": NEED, "replications": options.runs, "seed": seed,
-        "robots": {"group": "robots", "from": fleet[4][0], "to": fleet[4][-1], "step": fleet[4][1] - fleet[4][0]},
-        "warm_up": "5 s", "until": f"{5 + options.seconds} s"})
-    out = baraka(options, "fleet", file, "--out", folder / kind)
-    with open(folder / kind / "fleet.csv", newline="") as table:
-        rows = list(csv.DictReader(table))
-    held = [int(row["robots"]) for row in rows if row["holds"] == "1"]
-    missed = [int(row["robots"]) for row in rows if row["holds"] == "0"]
-    largest = max((n for n in held if n < min(missed, default=10**9)), default=0)
-    cause = re.search(r"Cause: ([^(]+) \(", out)
-    return largest, {(int(row["robots"]), row["topic"]): row for row in rows}, cause.group(1) if cause else "-"
+    largest, cause, rows = 0, "-", []
+    for number in fleet[4]:
+        file = write(folder / f"{kind}.yaml", {
+            "version": 1, "scenario": f"{kind}_scenario.yaml", "need": NEED, "replications": options.runs, "seed": seed,
+            "robots": {"group": "robots", "from": fleet[4][0], "to": number, "step": fleet[4][1] - fleet[4][0]},
+            "warm_up": f"{options.warm_up} s", "until": f"{options.warm_up + options.seconds} s"})
+        out = baraka(options, "fleet", file, "--out", folder / kind)
+        with open(folder / kind / "fleet.csv", newline="") as table:
+            rows = list(csv.DictReader(table))
+        if any(row["holds"] == "0" for row in rows):
+            cause = re.search(r"Cause: ([^(]+) \(", out).group(1)
+            break
+        largest = number
+    return largest, {(int(row["robots"]), row["topic"]): row for row in rows}, cause
+
+
+def milliseconds(row):
+    return [1000 * float(row[of]) if row[of] else None for of in ("p50_s", "p50_low_s", "p50_high_s")]
 
 
 def differences(from_recording, from_programs, largest):
-    """The greatest differences of shares (points) and of median latencies (relative), up to the largest number of both."""
-    shares, medians = [0], [0]
-    for key, one in from_recording.items():
+    """Up to the largest number of both: the greatest difference of shares (points), and of the median latencies how many
+    there are, how many are within 15 % and overlap, and which differs most."""
+    shares, medians = [0], []
+    for key, one in sorted(from_recording.items()):
         other = from_programs.get(key)
         if other is None or key[0] > largest or not (one["p50_s"] and other["p50_s"]):
             continue
         shares.append(100 * abs(float(one["delivered"]) - float(other["delivered"])))
-        medians.append(abs(float(one["p50_s"]) / float(other["p50_s"]) - 1))
-    return max(shares), max(medians)
+        (ours, low, high), (theirs, their_low, their_high) = milliseconds(one), milliseconds(other)
+        overlaps = None in (low, their_low) or (low <= their_high and their_low <= high)
+        print(f"  {key[0]} {key[1]}: {ours:.2f} ms ({low} … {high}), {theirs:.2f} ms ({their_low} … {their_high})", file=sys.stderr)
+        medians.append((abs(ours / theirs - 1), overlaps, f"{key[0]} x {key[1]}: {ours:.2f}, {theirs:.2f} ms"))
+    worst = max(medians, default=(0, True, "-"))
+    within = sum(off <= 0.15 for off, _, _ in medians)
+    overlapping = sum(overlaps for _, overlaps, _ in medians)
+    return max(shares), f"{within} of {len(medians)}", overlapping, f"{100 * worst[0]:.0f} % ({worst[2]})"
 
 
 def ask_programs(options, fleet, folder, kind, seed=1):
@@ -146,25 +162,26 @@ def compared(options, number, folder):
     ran = ask_programs(options, fleet, folder, "programs")
     played = ask_programs(options, fleet, folder, "again", 1001) if options.again else ask_recording(options, fleet, folder)
     both = min(played[0], ran[0])
-    share, median = differences(played[1], ran[1], both)
+    share, *medians = differences(played[1], ran[1], both)
     steps = [0, *fleet[4]]
     off = abs(steps.index(played[0]) - steps.index(ran[0]))
-    return [number, fleet[0], fleet[1], fleet[3], played[0], ran[0], off, f"{share:.1f}", f"{100 * median:.0f} %", played[2], ran[2]]
+    return [number, fleet[0], fleet[1], fleet[3], played[0], ran[0], off, f"{share:.1f}", *medians, played[2], ran[2]]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
     parser.add_argument("--fleets", type=int, nargs="+", default=range(1, len(FLEETS) + 1))
-    parser.add_argument("--runs", type=int, default=2)
-    parser.add_argument("--seconds", type=float, default=20)
+    parser.add_argument("--runs", type=int, default=6)
+    parser.add_argument("--warm-up", type=float, default=4)
+    parser.add_argument("--seconds", type=float, default=8)
     parser.add_argument("--recorded", type=float, default=60)
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--out", type=pathlib.Path)
     options = parser.parse_args()
     first = "the programs, other seeds" if options.again else "the recording"
-    print(f"| fleet | topics | radio | access points | from {first} | from the programs | numbers off | share, points | median | "
-          f"cause, {first} | cause, programs |\n" + "|---" * 11 + "|", flush=True)
+    print(f"| fleet | topics | radio | access points | from {first} | from the programs | numbers off | share, points | "
+          f"medians within | intervals | worst median | cause, {first} | cause, programs |\n" + "|---" * 13 + "|", flush=True)
     with tempfile.TemporaryDirectory() as temporary:
         for number in options.fleets:
             folder = (options.out or pathlib.Path(temporary)) / f"fleet{number}"

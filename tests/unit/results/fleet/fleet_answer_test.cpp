@@ -64,6 +64,17 @@ TEST(FleetAnswer, HoldsIfTheMeansDo) {
   EXPECT_FALSE(answered({}, {}).holds()) << "nothing ran";
 }
 
+/// Runs in which a small sample waits for a large one, or does not.
+TEST(FleetAnswer, LatenciesAreThoseOfTheSamplesOfAllRuns) {
+  const std::vector runs{run(1, 0.01), run(1, 0.01), run(1, 0.01), run(0.9, 0.2), run(1, 0.01)};
+  const CaseAnswer answer = answered({}, runs);
+  EXPECT_DOUBLE_EQ(answer.needs[0].p50->value, 0.01) << "not the mean of medians, 0.048";
+  EXPECT_DOUBLE_EQ(answer.topics.at("rt/*/scan").p95->value, 0.2);
+  EXPECT_EQ(answer.needs[0].p95->runs, 5U);
+  EXPECT_DOUBLE_EQ(answer.needs[0].p50->interval->low, 0.01);
+  EXPECT_EQ(answered({}, {runs[0]}).needs[0].p50->interval, std::nullopt);
+}
+
 TEST(FleetAnswer, ARunWithoutASampleDoesNotHold) {
   FleetRun none = run(0, 0);
   EXPECT_FALSE(answered({}, {run(1, 0.01), none}).holds()) << "nothing arrived in one";

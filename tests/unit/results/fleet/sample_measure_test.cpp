@@ -55,7 +55,9 @@ TEST(SampleMeasure, CountsWhatWasSentInTheWindow) {
   EXPECT_EQ(found.delivered, 7U);
   EXPECT_EQ(found.lost, (std::map<std::string, std::uint64_t>{{"queue full at ap", 2}}));
   EXPECT_DOUBLE_EQ(*found.delivered_share(), 7.0 / 9.0);
-  EXPECT_DOUBLE_EQ(*found.latency(0.95), 0.1);
+  ASSERT_EQ(found.latencies.size(), 7U);
+  EXPECT_DOUBLE_EQ(found.latencies.front(), 0.1);
+  EXPECT_DOUBLE_EQ(found.latencies.back(), 0.1);
   EXPECT_DOUBLE_EQ(*found.discovered, 6.6);
 }
 
@@ -77,7 +79,7 @@ TEST(SampleMeasure, NothingSentIsNoShareAndNothingDeliveredIsNoLatency) {
   EXPECT_EQ(found.pairs, 1U);
   EXPECT_EQ(found.silent, 1U);
   EXPECT_FALSE(found.delivered_share());
-  EXPECT_FALSE(found.latency(0.5));
+  EXPECT_TRUE(found.latencies.empty());
   EXPECT_FALSE(found.discovered);
   EXPECT_FALSE(measure({}, kWindow).age95);
 }

@@ -2,14 +2,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <vector>
 
 #include "hal/types/math.h"
 #include "hal/types/random.h"
 #include "results/statistics/bootstrap.h"
+#include "results/statistics/clustered_quantile.h"
 #include "results/statistics/interval.h"
+#include "results/statistics/quantile.h"
 
 namespace results::statistics {
 namespace {
@@ -159,6 +163,59 @@ TEST(Coverage, OfCountsAndSharesIsAsTheDocumentSays) {
   add("shares of 200 trials, 99 %", 0.99, shares, [](auto& r) { return share_of(r, 0.99); });
   add("shares of 200 trials, 99 %, runs differ", 0.99, shares, spread_share);
   add("shares of 200 trials, 50 %", 0.5, shares, [](auto& r) { return share_of(r, 0.5); });
+  std::ifstream file(TESTS_DIR "/../docs/statistics.md");
+  const std::string document(std::istreambuf_iterator<char>(file), {});
+  EXPECT_NE(document.find(table), std::string::npos) << "docs/statistics.md should have\n" << table;
+}
+
+/// A run in which a share of the values, its own, comes 10 later.
+std::vector<double> values_of_run(hal::RandomStream& random) {
+  const double share = 0.6 * random.uniform();
+  std::vector<double> values(200);
+  for (double& value : values) {
+    value = skewed_value(random) + (random.uniform() < share ? 10 : 0);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+/// The quantile of such values of infinitely many runs: of one exponential and one that begins at
+/// 10, weighted 7 to 3, by bisection.
+double true_quantile(double p) {
+  const auto below = [](double x) { return x <= 0 ? 0 : 1 - hal::math::exp(-x); };
+  double low = 0;
+  double high = 100;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (0.7 * below(middle) + 0.3 * below(middle - 10) < p ? low : high) = middle;
+  }
+  return low;
+}
+
+TEST(Coverage, OfQuantilesOfRunsTogetherIsAsTheDocumentSays) {
+  std::string table;
+  for (const double p : {0.5, 0.95}) {
+    const double truth = true_quantile(p);
+    for (const std::size_t count : {5U, 10U, 20U}) {
+      hal::RandomStream random(1, fmt::format("coverage/quantile/{}/{}", p, count));
+      int together = 0;
+      int mean = 0;
+      for (int i = 0; i < kExperiments; ++i) {
+        std::vector<std::vector<double>> runs;
+        std::vector<double> quantiles;
+        for (std::size_t run = 0; run < count; ++run) {
+          runs.push_back(values_of_run(random));
+          quantiles.push_back(quantile_of_sorted(runs.back(), p));
+        }
+        const std::vector<std::span<const double>> clusters(runs.begin(), runs.end());
+        together += holds(*clustered_quantile(clusters, p)->interval, truth);
+        mean += holds(*mean_interval(quantiles), truth);
+      }
+      EXPECT_GE(together, 920) << p << " " << count;
+      table += fmt::format("| {} % | {} | {:.1f} | {:.1f} |\n", 100 * p, count, together / 10.0,
+                           mean / 10.0);
+    }
+  }
   std::ifstream file(TESTS_DIR "/../docs/statistics.md");
   const std::string document(std::istreambuf_iterator<char>(file), {});
   EXPECT_NE(document.find(table), std::string::npos) << "docs/statistics.md should have\n" << table;
