@@ -62,6 +62,17 @@ class DdsLoad(Case):
                     self.assertEqual({row["writer"] for row in load.events("receive")},
                                      {str(j) for j in range(3)} - {str(i)})
 
+    def test_samples_are_written_in_the_phase_asked_for(self):
+        for vendor in VENDORS:
+            for phase in 0.02, 0.07:
+                with self.subTest(vendor, phase=phase), PrivateNetwork(1) as network:
+                    load = self.load(network, 0, vendor, "--publish", "t", "--rate", 10, "--phase", phase, "--count", 20,
+                                     "--for", 2.5)
+                    self.assertEqual(load.finish(), 0, str(load))
+                    late = [(int(row["mono_ns"]) / 1e9 - phase) % 0.1 for row in load.events("write")]
+                    self.assertGreaterEqual(len(late), 10)
+                    self.assertLess(min(late), 0.01, "a busy computer may be late, not each time")
+
     def test_who_is_not_matched_in_time_says_so(self):
         for vendor in VENDORS:
             with self.subTest(vendor), PrivateNetwork(1) as network:

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
@@ -120,6 +121,13 @@ bool await_matched(int64_t end) {
   }
 }
 
+/* The first time from `earliest` on that has the phase asked for. */
+static int64_t in_phase(int64_t earliest) {
+  if (options->phase < 0) return earliest;
+  const double period = 1e9 / options->rate, phase = 1e9 * options->phase;
+  return (int64_t)(phase + period * ceil(((double)earliest - phase) / period));
+}
+
 /* Samples number 0, 1, ... at their times, until all are written or time `end`. */
 static void write_all(bool (*write)(void*, uint64_t, int64_t), void* context, int64_t start,
                       int64_t end) {
@@ -150,7 +158,7 @@ void run_load(bool (*write)(void*, uint64_t, int64_t), void* context) {
   if (options->until_matched > 0) await_matched(patience < end ? patience : end);
   if (options->publish != NULL && monotonic_ns() < end) {
     const int64_t settle = options->until_matched == 0 ? 0 : (int64_t)(options->settle * 1e9);
-    write_all(write, context, monotonic_ns() + settle, end);
+    write_all(write, context, in_phase(monotonic_ns() + settle), end);
     const int64_t linger = monotonic_ns() + (int64_t)(options->linger * 1e9);
     if (options->linger >= 0 && linger < end) end = linger;
   }

@@ -19,6 +19,8 @@ static const char kUsage[] =
     "  --until-matched N   wait for N remote readers and writers before the first sample\n"
     "  --patience S        but no longer than that; default: to the end\n"
     "  --settle S          after that, before the first sample; default 0.2\n"
+    "  --phase S           writes when the monotonic clock is that far beyond a multiple of the "
+    "period\n"
     "  --linger S          ends that long after its last sample\n"
     "  --for S             ends after that at the latest, default 10\n"
     "  --csv FILE          every write, sample and match\n";
@@ -89,6 +91,8 @@ static void read_value(char** argv, const char* option, const char* text, Option
     into->patience = number(argv, option, text, 0, 1e6);
   else if (strcmp(option, "--settle") == 0)
     into->settle = number(argv, option, text, 0, 1e6);
+  else if (strcmp(option, "--phase") == 0)
+    into->phase = number(argv, option, text, 0, 1e6);
   else if (strcmp(option, "--linger") == 0)
     into->linger = number(argv, option, text, 0, 1e6);
   else if (strcmp(option, "--for") == 0)
@@ -98,8 +102,13 @@ static void read_value(char** argv, const char* option, const char* text, Option
 }
 
 Options read_options(int argc, char** argv) {
-  Options options = {
-      .size = 64, .rate = 10, .patience = 1e6, .settle = 0.2, .linger = -1, .seconds = 10};
+  Options options = {.size = 64,
+                     .rate = 10,
+                     .patience = 1e6,
+                     .settle = 0.2,
+                     .phase = -1,
+                     .linger = -1,
+                     .seconds = 10};
   for (int i = 1; i < argc; ++i) {
     if (read_flag(argv[i], &options)) continue;
     if (i + 1 == argc) refuse(argv[0], argv[i], NULL);

@@ -29,6 +29,7 @@ typedef struct {
       until_matched; /* programs that publisher and subscriber must know before the first write */
   double patience;   /* s from the start after which it writes though fewer are matched */
   double settle;     /* s from then on until the first write: the others may know less */
+  double phase;      /* s, within a period of the monotonic clock, of writes; below 0: not given */
   double linger;     /* s from its last write until the end; below 0: not given */
   double seconds;    /* after which the program ends */
 } Options;
