@@ -18,7 +18,7 @@ namespace results::record {
 class Commits final : public sim::agents::Observer {
  public:
   static constexpr hal::Duration kCommitPeriod = std::chrono::seconds{10};
-  static constexpr int kCommitRows = 2000;
+  static constexpr int kCommitRows = 20000;
 
   /// @param database  must be in a transaction whenever something is written or committed.
   explicit Commits(Database& database) : database_(database) {}
