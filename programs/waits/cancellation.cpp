@@ -35,6 +35,7 @@ void interrupt(pthread_t thread) {
     }
     slot.expired.store(netns::kInterrupted);
     slot.state.compare_exchange_strong(waiting, SlotState::kWants);
+    go_on_after_end(slot);
   }
   told(0);
 }

@@ -181,20 +181,21 @@ void start_to_wait(WaitSlot& slot) {
   steps_of_spinner = 0;
 }
 
-/// Time passes as the wall clock's from now on, in steps.
-Woken end_of_run(bool has_handled) {
+/// Time passes as the wall clock's from now on, in steps. Who waits without a deadline looks again.
+Woken end_of_run(const WaitSlot& slot, bool has_handled) {
   constexpr long kStep = 1'000'000;
   const timespec step{0, kStep};
-  if (!has_handled) BARAKA_NEXT(nanosleep)(&step, nullptr);
-  return has_handled ? Woken::kBySignal : Woken::kByDeadline;
+  if (has_handled) return Woken::kBySignal;
+  BARAKA_NEXT(nanosleep)(&step, nullptr);
+  return slot.deadline.load() == netns::kNever ? Woken::kByThread : Woken::kByDeadline;
 }
 
 Woken wait_parked(WaitSlot& slot) {
   bool is_interrupted = false;
   while (slot.grant.load() == 0) {
-    if (is_over()) return end_of_run(false);
+    if (is_over()) return end_of_run(slot, false);
     const bool has_handled = futex_wait(slot.grant);
-    if (is_over()) return end_of_run(has_handled);
+    if (is_over() && slot.grant.load() == 0) return end_of_run(slot, has_handled);
     if (!has_handled) continue;
     auto waiting = SlotState::kWaiting;
     if (!slot.state.compare_exchange_strong(waiting, SlotState::kWants)) continue;
@@ -252,6 +253,12 @@ void stir_by_reading() {
 void tell_run() {
   shared->event.fetch_add(1);
   if (shared->is_awaited.load() != 0) futex_wake(shared->event);
+}
+
+void go_on_after_end(WaitSlot& slot) {
+  if (!is_over()) return;
+  slot.grant.store(1);
+  futex_wake(slot.grant);
 }
 
 WaitSlot& take_slot(SlotState state) {
@@ -353,6 +360,7 @@ unsigned wake(std::uint64_t object, unsigned most) {
     auto waiting = SlotState::kWaiting;
     first->object.store(0);
     first->state.compare_exchange_strong(waiting, SlotState::kWants);
+    go_on_after_end(*first);
   }
   if (woken > 0) tell_run();
   return woken;

@@ -53,6 +53,10 @@ void return_from_call();
 /// Tells the run that a slot has changed.
 void tell_run();
 
+/// Lets a thread that another one has just woken go on if the run is over: nobody gives it its
+/// turn.
+void go_on_after_end(WaitSlot& slot);
+
 /// Tells the run, before a system call, that it may wake threads of this agent that wait in the
 /// kernel. All calls say so but those that are known not to.
 void stir();

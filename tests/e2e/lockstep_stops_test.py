@@ -65,6 +65,36 @@ end:
             self.assertEqual([self.log(agent, "loop") for agent in ("m0", "m1", "m2")], logs)
 
 
+# A thread waits without a time limit, as those of DDS do; who is told to end wakes it and joins it.
+ENDS_ORDERLY = """
+import signal, threading
+told, woken = threading.Event(), threading.Event()
+def wait():
+    told.wait()
+    print('woken', flush=True)
+thread = threading.Thread(target=wait)
+thread.start()
+signal.signal(signal.SIGTERM, lambda *_: told.set())
+signal.pause()
+thread.join()
+print('ended', flush=True)
+"""
+
+
+@unittest.skipIf(REFUSED, REFUSED)
+class Ended(Held):
+    def test_threads_that_wake_each_other_after_the_end_do(self):
+        agents = {"a": [("orderly", ["/usr/bin/python3", "-c", ENDS_ORDERLY], "")]}
+        self.run_held(scenario(self.folder, agents), "--set", "end.0.at=2 s")
+        self.assertEqual(self.log("a", "orderly").split(), ["woken", "ended"])
+
+    def test_a_program_with_fast_dds_ends_before_it_is_killed(self):
+        load = BIN.parent / "tests/fastdds_load"
+        agents = {"a": [("load", [load, "--publish", "t", "--for", "60"], "")]}
+        self.run_held(scenario(self.folder, agents), "--set", "end.0.at=2 s")
+        self.assertIn("written: ", self.log("a", "load"))
+
+
 @unittest.skipIf(REFUSED, REFUSED)
 class Stopped(Held):
     def test_a_program_that_is_stopped_by_a_signal_does_not_stop_the_others(self):
