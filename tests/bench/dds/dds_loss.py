@@ -39,7 +39,7 @@ def load(vendor, case, options, writes):
         command += ["--publish", "t", "--size", case["size"], "--rate", case["rate"], "--count",
                     round(options.seconds * case["rate"]), "--linger", options.linger]
     else:
-        command += ["--subscribe", "t"]
+        command += ["--subscribe", "t", "--patience", options.discovery]  # not to know the writer by then is no failure
     name = "writer" if writes else "reader"
     command += ["--writer", 0 if writes else 1, "--csv", f"{{results}}/{0 if writes else 1}.csv"]
     return own.Program(name, command, on_exit="end" if writes else "ignore")

@@ -37,7 +37,8 @@ def stations_of(case, options):
             own.environment("fastdds", SERVER))]))
     for i, (x, y) in enumerate(own.circle(count)):
         one = command(vendor, i, count, options, "--publish", "t", "--subscribe", "t", "--until-matched", count - 1,
-                      "--rate", 1, "--settle", options.seconds)
+                      "--rate", 1, "--settle", options.seconds,
+                      "--patience", options.seconds - 0.5)  # not to know all by then is no failure
         stations.append(own.Station(f"s{i}", x, y, [own.Program("load", one, own.environment(vendor, profile), start=0.5)]))
     return stations
 
