@@ -47,8 +47,9 @@ Recorder::Recorder(const std::filesystem::path& file, const sim::agents::Simulat
 
 NewDatabase::NewDatabase(const std::filesystem::path& file) : Database(file, Mode::kCreate) {
   create_tables(*this);
-  // With a write-ahead log others can read while the run goes on. A checkpoint every hundred pages
-  // keeps the log short, so that little of it is left to merge if a full disk ends the run.
+  // With a write-ahead log others can read while the run goes on. A checkpoint at each commit that
+  // leaves more than a hundred pages keeps the log as short as a commit, so that little of it is
+  // left to merge if a full disk ends the run.
   execute("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 100");
 }
 

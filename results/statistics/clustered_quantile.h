@@ -24,9 +24,9 @@ struct ClusteredQuantile {
 /// the ends of the result. The share is a ratio of sums over n clusters; with m_i values of cluster
 /// i, M in all, and the shares F_i and F in the cluster and in all, mean_interval() for shares gets
 ///
-///   F + n m_i (F_i - F) / M,   i = 1 .. n,
+///   p + n m_i (F_i - F) / M,   i = 1 .. n,
 ///
-/// whose mean is F and whose variance is that of the ratio to first order (W. G. Cochran, "Sampling
+/// whose mean is p and whose variance is that of the ratio to first order (W. G. Cochran, "Sampling
 /// Techniques", 3rd ed., 1977, section 6.3). An end that would be an order below 0 or above 1 is
 /// the least or the greatest value.
 /// @param clusters  the values of each, ascending. @param p  in (0, 1).
