@@ -361,16 +361,6 @@ bool AgentWaits::wake(std::uint64_t object) {
   return is_one;
 }
 
-void AgentWaits::let_go() {
-  page_.is_over = 1;
-  for (std::size_t i = 0; i < used(); ++i) {
-    WaitSlot& one = slot(i);
-    if (one.state.load() == SlotState::kWants) grant(i);
-    const bool is_timed = one.state.load() == SlotState::kWaiting && one.deadline != netns::kNever;
-    if (is_timed && one.kind.load() == WaitKind::kInKernel) end_wait(i);
-  }
-}
-
 std::vector<std::size_t> AgentWaits::take_ended() { return std::exchange(ended_, {}); }
 
 }  // namespace programs::lockstep

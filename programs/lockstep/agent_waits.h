@@ -74,7 +74,13 @@ class AgentWaits {
   /// Whether threads wait until the kernel takes what they send or write.
   bool waits_to_send() const { return is_one_waiting(netns::kSendingObject); }
 
-  /// The run is over: nobody waits for a turn any more, so that programs can end.
+  /// Processes that run, by their numbers inside, in this order.
+  std::vector<pid_t> processes() const;
+  /// Sends a signal to one of them, and wakes it if it is stopped. Handlers that run at once are
+  /// over when this returns. @pre all wait: settle().
+  void send(pid_t process, int signal);
+
+  /// Nobody waits for a turn any more: programs go on and end as they like.
   void let_go();
 
   /// Slots of reserve() whose process has ended since the last call.

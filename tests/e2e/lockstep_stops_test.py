@@ -81,12 +81,48 @@ print('ended', flush=True)
 """
 
 
+# Takes half a second, and sends more than the interface takes at once; nobody answers.
+ENDS_SLOWLY = """
+import signal, socket, time
+signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM})
+signal.sigwait({signal.SIGTERM})
+print(time.clock_gettime_ns(time.CLOCK_MONOTONIC), flush=True)
+time.sleep(0.5)
+print(time.clock_gettime_ns(time.CLOCK_MONOTONIC), flush=True)
+s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+s.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
+print(sum(s.sendto(bytes(1000), ('10.77.255.255', 5000)) for _ in range(3000)), flush=True)
+"""
+ENDS_NEVER = """
+import signal, time
+signal.signal(signal.SIGTERM, signal.SIG_IGN)
+for second in range(100):
+    print(second, flush=True)
+    time.sleep(1)
+"""
+
+
 @unittest.skipIf(REFUSED, REFUSED)
 class Ended(Held):
     def test_threads_that_wake_each_other_after_the_end_do(self):
         agents = {"a": [("orderly", ["/usr/bin/python3", "-c", ENDS_ORDERLY], "")]}
         self.run_held(scenario(self.folder, agents), "--set", "end.0.at=2 s")
         self.assertEqual(self.log("a", "orderly").split(), ["woken", "ended"])
+
+    def test_so_they_do_when_the_run_has_failed(self):
+        agents = {"a": [("orderly", ["/usr/bin/python3", "-c", ENDS_ORDERLY], ""), ("fail", ["sh", "-c", "sleep 1; exit 3"], ", on_exit: end")]}
+        self.run_held(scenario(self.folder, agents), status=1)
+        self.assertEqual(self.log("a", "orderly").split(), ["woken", "ended"])
+
+    def test_programs_end_in_virtual_time_which_is_not_the_runs(self):
+        agents = {"a": [("slow", [PYTHON, "-c", ENDS_SLOWLY], ""), ("never", [PYTHON, "-c", ENDS_NEVER], "")],
+                  "b": [("slow", [PYTHON, "-c", ENDS_SLOWLY], "")]}
+        finished = self.run_held(scenario(self.folder, agents), "--set", "end.0.at=2 s")
+        self.assertEqual(float(finished["simulated_s"]), 2)
+        for agent in agents:
+            self.assertEqual(self.log(agent, "slow").split(), ["1002000000000", "1002500000000", "3000000"])
+        self.assertEqual(self.log("a", "never").split(), [str(second) for second in range(12)], "killed after 10 s")
+        self.assertEqual(self.query("SELECT count(*) FROM programs WHERE ended_ns IS NOT NULL"), [(0,)])
 
     def test_a_program_with_fast_dds_ends_before_it_is_killed(self):
         load = BIN.parent / "tests/fastdds_load"

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -76,19 +77,25 @@ bool LockstepBridge::drain(AgentPrograms& one, std::int64_t now,
   }
 }
 
-bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
-                           const std::function<void(std::span<const std::uint8_t>)>& take) {
-  AgentPrograms& one = of(agent);
-  one.waits.set_time(nanoseconds(now));
+bool LockstepBridge::run_turns(AgentPrograms& one, std::int64_t now,
+                               const std::function<void(std::span<const std::uint8_t>)>& take) {
+  one.waits.set_time(now);
   while (one.waits.expire()) {
     if (!one.waits.settle()) return false;
   }
-  one.kernel.repeat(nanoseconds(now), take);
+  one.kernel.repeat(now, take);
   // What is taken from the interface makes room in the sockets that it came from.
   bool goes_on = one.waits.settle();
-  while (goes_on && drain(one, nanoseconds(now), take) && one.waits.waits_to_send())
+  while (goes_on && drain(one, now, take) && one.waits.waits_to_send())
     goes_on = one.waits.settle();
   one.seen = one.waits.changes();
+  return goes_on;
+}
+
+bool LockstepBridge::go_on(hal::AgentId agent, hal::Time now,
+                           const std::function<void(std::span<const std::uint8_t>)>& take) {
+  AgentPrograms& one = of(agent);
+  const bool goes_on = run_turns(one, nanoseconds(now), take);
   const std::size_t ended = one.waits.take_ended().size();
   if (ended > 0) programs_.on_ended(agent, now, ended);
   return goes_on;
@@ -132,6 +139,34 @@ std::optional<hal::Time> LockstepBridge::deadline(hal::AgentId agent) const {
   if (repeat) next = std::min(next.value_or(*repeat), *repeat);
   if (!next) return std::nullopt;
   return hal::Time{hal::Duration{*next}};
+}
+
+bool LockstepBridge::end_in_turns(AgentPrograms& one, std::int64_t now) {
+  constexpr std::size_t kRoom = 1000;  // frames
+  do {
+    if (!run_turns(one, now, [](std::span<const std::uint8_t>) {})) return false;
+    on_room(one.station.agent, {.free = kRoom, .capacity = kRoom});
+  } while (one.has_woken);
+  return true;
+}
+
+void LockstepBridge::end_programs(hal::Time now, hal::Duration grace) {
+  const std::int64_t last = nanoseconds(now + grace);
+  for (const auto& one : all_) {
+    bool goes_on = end_in_turns(*one, nanoseconds(now));
+    for (const pid_t process : one->waits.processes()) {
+      if (!goes_on) break;
+      one->waits.send(process, SIGTERM);
+      goes_on = end_in_turns(*one, nanoseconds(now));
+    }
+    auto next = one->waits.deadline();
+    for (; goes_on && next && *next <= last; next = one->waits.deadline()) {
+      goes_on = end_in_turns(*one, *next);
+    }
+    for (const pid_t process : one->waits.processes()) {
+      if (goes_on) one->waits.send(process, SIGKILL);
+    }
+  }
 }
 
 void LockstepBridge::let_go() {

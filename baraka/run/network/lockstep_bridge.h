@@ -64,7 +64,13 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
   /// Whether the run has to wait before it goes to `next`, for TCP's sake: how long.
   std::optional<hal::Duration> hold(hal::Time next);
 
-  /// The run is over: programs may end as they like.
+  /// The run is over: tells the programs to end, agent by agent and process by process, and lets
+  /// them do so in lock-step; what they send goes nowhere. Those that have not ended after `grace`
+  /// of virtual time are killed.
+  /// @throws std::runtime_error  a program cannot be held.
+  void end_programs(hal::Time now, hal::Duration grace);
+
+  /// Programs that are left end as they like.
   void let_go();
 
   /// Number of received frames that an interface did not accept, because it was shut down.
@@ -88,6 +94,11 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
 
   AgentPrograms& of(hal::AgentId agent);
   const AgentPrograms& of(hal::AgentId agent) const;
+  /// The turns of go_on().
+  bool run_turns(AgentPrograms& one, std::int64_t now,
+                 const std::function<void(std::span<const std::uint8_t>)>& take);
+  /// The same after the end. @return false: they are to be let go.
+  bool end_in_turns(AgentPrograms& one, std::int64_t now);
   /// @return whether there were frames.
   bool drain(AgentPrograms& one, std::int64_t now,
              const std::function<void(std::span<const std::uint8_t>)>& take);

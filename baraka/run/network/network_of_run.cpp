@@ -285,7 +285,20 @@ void NetworkOfRun::sum_up(NetworkSummary& summary) const {
   summary.icmp_not_sent = namespaces_->icmp_not_sent();
 }
 
-NetworkSummary NetworkOfRun::finish() {
+/// Else what they write as they end would come in another order each time.
+void NetworkOfRun::end_in_turns() {
+  constexpr std::chrono::seconds kGrace{10};
+  is_broken_off_ = [this, last = wall_->now() + kGrace] {
+    return wall_->now() > last || pace::interrupted();
+  };
+  try {
+    lockstep_->end_programs(simulation_->now(), kGrace);
+  } catch (const std::runtime_error& e) {
+    hal::log::warning({}, "run", "the end of programs: {}", e.what());
+  }
+}
+
+NetworkSummary NetworkOfRun::finish(bool in_turns) {
   go_before_others(false);
   NetworkSummary summary;
   try {
@@ -296,6 +309,7 @@ NetworkSummary NetworkOfRun::finish() {
   summary.programs = programs_.rows();
   use_of_processor_.reset();
   is_broken_off_ = [] { return false; };  // of a pace that may be gone
+  if (lockstep_ && in_turns) end_in_turns();
   if (lockstep_) lockstep_->let_go();
   namespaces_.reset();
   return summary;

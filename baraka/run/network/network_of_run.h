@@ -54,7 +54,7 @@ struct NetworkSummary {
 ///   NetworkOfRun network(scenario, file, time, folder);      // before other threads, and the run
 ///   network.connect(simulation, clock);
 ///   simulation.follow(until, clock);
-///   network.finish();
+///   network.finish(true);
 class NetworkOfRun final : private pace::BackgroundWork {
  public:
   /// Creates the namespaces; prints on standard error what programs will lack there.
@@ -92,8 +92,10 @@ class NetworkOfRun final : private pace::BackgroundWork {
   /// Index of an agent among the namespaces; none: the agent has no network.
   std::optional<std::size_t> index_of(hal::AgentId agent) const;
 
-  /// Ends all programs that still run inside. To be called once, when the run is over.
-  NetworkSummary finish();
+  /// Ends all programs that still run inside: SIGTERM, after 10 s SIGKILL. To be called once, when
+  /// the run is over.
+  /// @param in_turns  in lock-step, whether they end in it, in virtual time: else all at once.
+  NetworkSummary finish(bool in_turns);
 
  private:
   int descriptor() const override;
@@ -111,6 +113,7 @@ class NetworkOfRun final : private pace::BackgroundWork {
   void hold_programs();
   void note_begin(hal::Clock& wall);
   void sum_up(NetworkSummary& summary) const;
+  void end_in_turns();
 
   const sim::scenario::Scenario& scenario_;
   std::function<std::filesystem::path()> results_;
