@@ -25,10 +25,12 @@ struct Start {
   WaitSlot* slot;
 };
 
+/// Before its turn a thread runs beside the one that made it, and its system calls are not caught:
+/// who then waited for a lock of the C library that it holds, as malloc()'s, would not be woken.
 void* begin(void* given) {
   const Start start = *static_cast<Start*>(given);
-  std::free(given);
   adopt(*start.slot);
+  std::free(given);
   return start.function(start.argument);
 }
 

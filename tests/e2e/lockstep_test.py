@@ -19,6 +19,7 @@ REFUSED = wire.why_not()
 WAITS = BIN.parent / "tests/lockstep_waits"
 ECHO_IN_C = BIN.parent / "tests/lockstep_echo"
 SPINNER = BIN.parent / "tests/mutex_spinner"
+BEGINS = BIN.parent / "tests/thread_begins"
 STILL = BIN.parent / "tests/still"
 PYTHON = "/usr/bin/python3"
 SEEDS_OF_MIX = (1, 2)
@@ -386,6 +387,11 @@ class Programs(Held):
                 "read -t 3 line < <(sleep 9); date +%s")
         self.run_held(scenario(self.folder, {"a": [("shell", ["bash", "-c", code], ", on_exit: end")]}))
         self.assertEqual(self.log("a", "shell").split(), ["trapped", "1767225602", "1767225602", "1767225605"])
+
+    def test_a_new_thread_gives_no_memory_back_before_its_turn(self):
+        """Else it may hold a lock of the allocator while it is not known to the run."""
+        self.run_held(scenario(self.folder, {"a": [("begins", [BEGINS], ", on_exit: end")]}))
+        self.assertEqual(self.log("a", "begins"), "in turn\n")
 
     def test_a_thread_that_spins_on_a_mutex_lets_others_go_on(self):
         file = scenario(self.folder, {"a": [("spinner", [SPINNER], ", on_exit: end")]})
