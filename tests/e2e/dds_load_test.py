@@ -8,7 +8,7 @@ from baraka import Case
 from dds_loads import TESTS, VENDORS, Load
 from private_network import PrivateNetwork, is_possible
 
-SKIPPED = 77
+SKIPPED, NOT_MATCHED = 77, 3
 
 
 class DdsLoad(Case):
@@ -31,10 +31,10 @@ class DdsLoad(Case):
                                100, "--count", 30, "--writer", 1),
                      self.load(network, 1, reader, *common, "--publish", "u", "--subscribe", "t", "--rate", 50, "--count",
                                20, "--writer", 2)]
-            for load in loads:
-                self.assertEqual(load.finish(), 0, str(load))
-            if (loads[0]["received"], loads[1]["received"]) == (20, 30):
+            ends = [load.finish() for load in loads]
+            if ends == [0, 0] and (loads[0]["received"], loads[1]["received"]) == (20, 30):
                 break
+            self.assertLessEqual(set(ends), {0, NOT_MATCHED}, "\n".join(map(str, loads)))
         for load, own, others, size in (loads[0], 30, 20, 64), (loads[1], 20, 30, 20000):
             self.assertEqual((load["written"], load["write_failed"], load["received"]), (own, 0, others), str(load))
             self.assertEqual(load["received_bytes"], others * size)
