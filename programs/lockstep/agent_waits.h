@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -74,8 +75,8 @@ class AgentWaits {
   /// Whether threads wait until the kernel takes what they send or write.
   bool waits_to_send() const { return is_one_waiting(netns::kSendingObject); }
 
-  /// Processes that run, by their numbers inside, in this order.
-  std::vector<pid_t> processes() const;
+  /// Processes that run, by their numbers inside.
+  std::set<pid_t> processes() const;
   /// Sends a signal to one of them, and wakes it if it is stopped. Handlers that run at once are
   /// over when this returns. @pre all wait: settle().
   void send(pid_t process, int signal);

@@ -1,8 +1,7 @@
 // The end of a run: the part of AgentWaits that tells programs to end, or lets them go.
-#include <algorithm>
 #include <csignal>
+#include <set>
 #include <span>
-#include <vector>
 
 #include "programs/lockstep/agent_waits.h"
 
@@ -11,16 +10,13 @@ namespace programs::lockstep {
 using netns::SlotState;
 using netns::WaitSlot;
 
-std::vector<pid_t> AgentWaits::processes() const {
-  std::vector<pid_t> all;
+std::set<pid_t> AgentWaits::processes() const {
+  std::set<pid_t> all;
   for (const WaitSlot& one : std::span(page_.slots).first(used())) {
     const SlotState state = one.state.load();
     const bool is_thread = state != SlotState::kFree && state != SlotState::kTimer;
-    if (is_thread && one.process.load() != 0) all.push_back(one.process.load());
+    if (is_thread && one.process.load() != 0) all.insert(one.process.load());
   }
-  std::ranges::sort(all);
-  const auto doubles = std::ranges::unique(all);
-  all.erase(doubles.begin(), doubles.end());
   return all;
 }
 
