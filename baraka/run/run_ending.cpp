@@ -95,8 +95,7 @@ const sim::agents::AirSummary* air_of(const Outcome& outcome) {
 
 void end_network(network::NetworkOfRun& network, RunEnding& ending, const TimeAdvance& time_advance,
                  const sim::scenario::Scenario& scenario, Results& results) {
-  ending.network = network.finish(ending.outcome.kind == Outcome::Kind::kUntil ||
-                                  ending.outcome.kind == Outcome::Kind::kEnded);
+  ending.network = network.finish(ending.outcome.kind != Outcome::Kind::kFailed);
   const sim::agents::AirSummary* const air = air_of(ending.outcome);
   if (air == nullptr) return;
   const std::vector<std::string> lines =

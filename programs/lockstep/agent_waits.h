@@ -75,6 +75,9 @@ class AgentWaits {
   /// Whether threads wait until the kernel takes what they send or write.
   bool waits_to_send() const { return is_one_waiting(netns::kSendingObject); }
 
+  /// The run is over, maybe broken off: Settings::may_go_on is asked anew.
+  void begin_to_end() { is_broken_off_ = false; }
+
   /// Processes that run, by their numbers inside.
   std::set<pid_t> processes() const;
   /// Sends a signal to one of them, and wakes it if it is stopped. Handlers that run at once are

@@ -4,6 +4,7 @@ view, commands of others. What waits meanwhile changes nothing."""
 import contextlib
 import pathlib
 import shutil
+import signal
 import subprocess
 import time
 import unittest
@@ -112,6 +113,15 @@ class Ended(Held):
     def test_so_they_do_when_the_run_has_failed(self):
         agents = {"a": [("orderly", ["/usr/bin/python3", "-c", ENDS_ORDERLY], ""), ("fail", ["sh", "-c", "sleep 1; exit 3"], ", on_exit: end")]}
         self.run_held(scenario(self.folder, agents), status=1)
+        self.assertEqual(self.log("a", "orderly").split(), ["woken", "ended"])
+
+    def test_so_they_do_when_the_run_is_interrupted(self):
+        agents = {"a": [("orderly", [PYTHON, "-c", ENDS_ORDERLY], ""), ("busy", ["sh", "-c", "while sleep 0.001; do :; done"], "")]}
+        run = self.start(scenario(self.folder, agents), "--pace", "lockstep", "--no-inspect", "--set", "end.0.at=10 h")
+        wait_for(lambda: (self.out / "a.busy.log").exists())
+        time.sleep(1)
+        run.process.send_signal(signal.SIGINT)
+        self.assertEqual(run.finish().status, 130)
         self.assertEqual(self.log("a", "orderly").split(), ["woken", "ended"])
 
     def test_programs_end_in_virtual_time_which_is_not_the_runs(self):

@@ -153,6 +153,7 @@ bool LockstepBridge::end_in_turns(AgentPrograms& one, std::int64_t now) {
 void LockstepBridge::end_programs(hal::Time now, hal::Duration grace) {
   const std::int64_t last = nanoseconds(now + grace);
   for (const auto& one : all_) {
+    one->waits.begin_to_end();
     bool goes_on = end_in_turns(*one, nanoseconds(now));
     for (const pid_t process : one->waits.processes()) {
       if (!goes_on) break;

@@ -287,10 +287,9 @@ void NetworkOfRun::sum_up(NetworkSummary& summary) const {
 
 /// Else what they write as they end would come in another order each time.
 void NetworkOfRun::end_in_turns() {
-  constexpr std::chrono::seconds kGrace{10};
-  is_broken_off_ = [this, last = wall_->now() + kGrace] {
-    return wall_->now() > last || pace::interrupted();
-  };
+  constexpr std::chrono::seconds kGrace{10}, kOfSomebodyWhoWaits{2};
+  const auto longest = pace::interrupted() ? kOfSomebodyWhoWaits : kGrace;  // of wall time
+  is_broken_off_ = [this, last = wall_->now() + longest] { return wall_->now() > last; };
   try {
     lockstep_->end_programs(simulation_->now(), kGrace);
   } catch (const std::runtime_error& e) {
