@@ -52,30 +52,43 @@ class Ping(Air):
         microseconds = -(-8 * octets * 10**6 // int(rate))
         return self.PREAMBLE + microseconds * 1e-6
 
-    def test_the_least_round_trip_is_that_of_the_standard_with_no_backoff(self):
+    def closed_form(self):
+        """Seconds until what ping waits for, the second data frame, ends; its acknowledgement comes after."""
         packet = 20 + 8 + 56  # IPv4, ICMP, ping's own
         data = self.airtime(24 + 8 + packet + 4, 11e6)
-        ack = self.airtime(14, 1e6)
+        self.ack = self.airtime(14, 1e6)
+        return data + self.SIFS + self.ack + self.DIFS + data
+
+    def pinged(self, *pace):
+        """The least of 200 round trips as ping says it, seconds."""
+        # 2 ms apart: longer than the longest, with a backoff of 31 slots.
         scenario = self.scenario(
-            station("a", 0, program("ping", "ping", "-q", "-c", "200", "-i", "0.01", "b", on_exit="end")),
+            station("a", 0, program("ping", "ping", "-q", "-c", "200", "-i", "0.002", "b", on_exit="end")),
             station("b", 5), more="record: {frames: all}\n")
-        finished = self.run_baraka(scenario, "--pace", "realtime:0.1")
+        finished = self.run_baraka(scenario, *pace)
         self.assertEqual(finished["result"], "ping", str(finished))
         self.assertEqual(finished["frames_dropped"], "0")
         text = self.log("a.ping.log")
         self.assertIn("200 packets transmitted, 200 received", text)
-        least = float(re.search(r"rtt min/[^=]*= ([0-9.]+)/", text)[1]) * 1e-3
-        # What ping waits for ends with the second data frame; its acknowledgement comes after.
-        closed = data + self.SIFS + ack + self.DIFS + data
+        return float(re.search(r"rtt min/[^=]*= ([0-9.]+)/", text)[1]) * 1e-3
+
+    def test_the_least_round_trip_is_that_of_the_standard_with_no_backoff(self):
+        closed = self.closed_form()
+        # What the machine itself needs, some 300 us where system calls are slow, counts a fiftieth; a slot is 20 us.
+        least = self.pinged("--pace", "realtime:0.02")
         self.assertGreaterEqual(least, closed * 0.999)
-        self.assertLess(least, closed * 1.03, f"closed form {closed * 1e3:.3f} ms")
+        self.assertLess(least, closed + 20e-6, f"closed form {closed * 1e3:.3f} ms")
         # The whole exchange, from the first bit to the last, as the simulator has it.
         frames = self.query("SELECT at_ns, airtime_ns, class, transmitter FROM frames ORDER BY at_ns")
         exchanges = [last[0] + last[1] - first[0]
                      for first, _, _, last in zip(frames, frames[1:], frames[2:], frames[3:])
                      if first[2] == "unicast" and first[3] == 1 and last[2] == "ack" and last[3] == 1]
         self.assertGreater(len(exchanges), 150)
-        self.assertAlmostEqual(min(exchanges) * 1e-9, closed + self.SIFS + ack, delta=2e-6)
+        self.assertAlmostEqual(min(exchanges) * 1e-9, closed + self.SIFS + self.ack, delta=2e-6)
+
+    def test_in_lock_step_the_machine_adds_nothing_to_it(self):
+        closed = self.closed_form()
+        self.assertAlmostEqual(self.pinged(), closed, delta=2e-6)
 
     def test_both_versions_of_ip_and_multicast_work(self):
         """Names, ARP, neighbour discovery, and a group's address."""
