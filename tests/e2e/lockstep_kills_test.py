@@ -130,6 +130,15 @@ class Kills(Held):
                 self.assertEqual(self.fingerprint(), expected, f"after {trial}")
         self.assertGreater(min(met.values()), 0, met)
 
+    def test_ends_that_take_too_long_are_cut_off_and_said(self):
+        busy = "trap 'echo told; while :; do :; done' TERM; while sleep 0.1; do :; done"
+        agents = {"a": [("busy", ["bash", "-c", busy], "")], "b": [("late", ["sleep", 100], "")]}
+        begun = time.monotonic()
+        finished = self.run_held(scenario(self.folder, agents), "--set", "end.0.at=1 s")
+        self.assertLess(time.monotonic() - begun, ENDS_WITHIN)
+        self.assertIn("told", self.log("a", "busy"))
+        self.assertIn("warning: programs took too much wall time to end", finished.err)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -286,7 +286,8 @@ void NetworkOfRun::sum_up(NetworkSummary& summary) const {
 }
 
 /// Else what they write as they end would come in another order each time.
-void NetworkOfRun::end_in_turns() {
+/// @return whether nothing was cut off that somebody is interested in.
+bool NetworkOfRun::end_in_turns() {
   constexpr std::chrono::seconds kGrace{10}, kOfSomebodyWhoWaits{2};
   const auto longest = pace::interrupted() ? kOfSomebodyWhoWaits : kGrace;  // of wall time
   is_broken_off_ = [this, last = wall_->now() + longest] { return wall_->now() > last; };
@@ -295,6 +296,7 @@ void NetworkOfRun::end_in_turns() {
   } catch (const std::runtime_error& e) {
     hal::log::warning({}, "run", "the end of programs: {}", e.what());
   }
+  return pace::interrupted() || !is_broken_off_();
 }
 
 NetworkSummary NetworkOfRun::finish(bool in_turns) {
@@ -308,7 +310,7 @@ NetworkSummary NetworkOfRun::finish(bool in_turns) {
   summary.programs = programs_.rows();
   use_of_processor_.reset();
   is_broken_off_ = [] { return false; };  // of a pace that may be gone
-  if (lockstep_ && in_turns) end_in_turns();
+  if (lockstep_ && in_turns) summary.ends_in_turns = end_in_turns();
   if (lockstep_) lockstep_->let_go();
   namespaces_.reset();
   return summary;

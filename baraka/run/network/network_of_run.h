@@ -44,6 +44,8 @@ struct NetworkSummary {
   /// agents with any.
   ByAgent icmp_not_sent;
   std::optional<LockstepSummary> lockstep;
+  /// In lock-step: programs had the wall time to end in turns, or were not asked to.
+  bool ends_in_turns = true;
   double cpu_load = 0;  ///< Processor time of this process / wall time.
   double cpu_load_programs = 0;
   std::vector<results::record::ProgramRow> programs;
@@ -113,7 +115,7 @@ class NetworkOfRun final : private pace::BackgroundWork {
   void hold_programs();
   void note_begin(hal::Clock& wall);
   void sum_up(NetworkSummary& summary) const;
-  void end_in_turns();
+  bool end_in_turns();
 
   const sim::scenario::Scenario& scenario_;
   std::function<std::filesystem::path()> results_;

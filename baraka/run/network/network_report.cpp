@@ -138,6 +138,11 @@ std::vector<std::string> held_network_warnings(const sim::agents::AirSummary& ai
                     "their ends depend on this computer",
                     network.lockstep->counts.unknown));
   }
+  if (!network.ends_in_turns) {
+    lines.push_back(
+        "programs took too much wall time to end, and the rest ended all at once: what they wrote "
+        "after the end of the run need not be equal in equal runs");
+  }
   return lines;
 }
 void print_network(const sim::agents::AirSummary& air, const NetworkSummary& network) {

@@ -43,5 +43,16 @@ TEST(LateFrames, OfManyAreSaidIfMoreThanOneInAHundredAreForSure) {
                 "(now 1)"});
 }
 
+TEST(Ends, ThatAreCutOffAreSaid) {
+  NetworkSummary network;
+  network.lockstep.emplace();
+  EXPECT_TRUE(held_network_warnings({}, network).empty());
+  network.ends_in_turns = false;
+  EXPECT_EQ(held_network_warnings({}, network),
+            std::vector<std::string>{
+                "programs took too much wall time to end, and the rest ended all at once: what "
+                "they wrote after the end of the run need not be equal in equal runs"});
+}
+
 }  // namespace
 }  // namespace baraka::run::network
