@@ -2,10 +2,10 @@
 """Many runs of one scenario in one command: each equals the single run of its seed, and what ends
 them early costs only what was under way."""
 import sqlite3
-import time
 import unittest
 
 from baraka import CASE_STUDY, ROOT, Case, Program, send, wait_for
+from remains import Mark, started
 
 IN_PROCESS = ["--controllers", "in-process"]
 FAULTY = ROOT / "tests/e2e/faulty.yaml"
@@ -42,12 +42,13 @@ class KilledAndResumed(Replications):
 
     def kill_after(self, count, signal, *arguments):
         """Starts the command, ends it once `count` runs have, and marks those."""
+        mark = Mark()
         program = self.start(CASE_STUDY, *IN_PROCESS, *self.command, *arguments,
-                             out=self.folder / "ten")
+                             out=self.folder / "ten", env=mark.variables)
         wait_for(lambda: self.out.exists() and len(self.ended()) >= count)
         send(program.process.pid, signal)
         finished = program.finish()
-        time.sleep(0.2)  # until those under way are dead, too
+        wait_for(lambda: not any(map(started, mark.processes())))  # those under way are dead, too
         marked = self.ended()
         for folder in marked:
             (folder / MARK).touch()
