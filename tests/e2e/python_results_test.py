@@ -3,9 +3,11 @@
 import importlib
 import math
 import os
+import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import page_commands
@@ -41,13 +43,17 @@ class Results(Case):
     @classmethod
     def setUpClass(cls):
         cls.baraka = package()
+        folder = tempfile.TemporaryDirectory(prefix="baraka-e2e-")
+        cls.addClassCleanup(folder.cleanup)
+        file = pathlib.Path(folder.name) / "study.yaml"
+        file.write_text(CAMPAIGN)
+        cls.studied = file.with_suffix("")
+        done = Program("baraka", "campaign", file, "--out", cls.studied).finish()
+        assert done.status == 0, str(done)
 
     def setUp(self):
         super().setUp()
-        file = self.folder / "study.yaml"
-        file.write_text(CAMPAIGN)
-        self.succeed("campaign", file, "--out", self.folder / "study")
-        self.study = self.baraka.campaign(self.folder / "study")
+        self.study = self.baraka.campaign(self.studied)
 
     def succeed(self, *arguments):
         program = Program("baraka", *arguments)
@@ -61,7 +67,7 @@ class Results(Case):
         values = self.study.values(QUANTITY)
         by_label = {label: list(group["value"]) for label, group in values.groupby("label")}
         self.assertEqual([len(one) for one in by_label.values()], [6, 6])
-        said = self.succeed("report", self.folder / "study", "--figure", QUANTITY, "--versus", "control_phase")
+        said = self.succeed("report", self.studied, "--figure", QUANTITY, "--versus", "control_phase")
         for (_, row), (label, seen) in zip(figure.frame.iterrows(), sorted(by_label.items())):
             self.assertIn(row["setting"], label)
             mean = sum(seen) / 6
@@ -129,7 +135,7 @@ class Results(Case):
 
     def test_mistakes_are_said_as_the_command_says_them(self):
         for call, words in ((lambda: self.baraka.campaign("/nowhere"), "/nowhere: has no campaign.sqlite"),
-                            (lambda: self.baraka.results(self.folder / "study"), "has no run.sqlite"),
+                            (lambda: self.baraka.results(self.studied), "has no run.sqlite"),
                             (lambda: self.study.table("rnus"), "has no table 'rnus'; it has campaign, points"),
                             (lambda: self.study.figure("nothing"), "none of these runs has such a quantity"),
                             (lambda: self.study.figure(QUANTITY, versus="speed"), "speed"),
