@@ -46,7 +46,9 @@ class Priorities(Case):
         self.assertGreater(without, 0.02)
 
     def test_the_same_over_dds(self):
-        self.assertEqual(self.play(*VOICE), self.play(*VOICE, dds=True))
+        few = ("--set", "end.0.at=3 s")  # alarms begin at 1 s
+        self.assertEqual(self.play(*VOICE, *few), self.play(*VOICE, *few, dds=True))
+        self.assertEqual(self.of_frames("alarm"), [(6, "VO")])
 
     def test_the_file_gives_topics_a_priority_without_a_change_of_the_controller(self):
         self.play(*VOICE)
