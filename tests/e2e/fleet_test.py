@@ -156,14 +156,15 @@ class GoingOn(Fleets):
         for topic in scenario["agents"]["robots"]["topics"]:
             topic["participants"] = "topic"  # players of several processes
         self.write("hall.yaml", scenario)
-        whole = self.fleet(FLEET, out=self.folder / "whole")
-        program = self.begin(FLEET)
+        content = {**FLEET, "robots": {"group": "robots", "from": 1, "to": 3, "step": 2}}
+        whole = self.fleet(content, out=self.folder / "whole")
+        program = self.begin(content)
         wait_for(lambda: any(self.out.glob("runs/*/run.sqlite")) and self.players())
         send(program.process.pid, "SIGINT")
         self.assertEqual(program.finish().status, 130)
         wait_for(lambda: not self.players())
-        self.assertEqual(self.tables(self.fleet(FLEET)), self.tables(whole))
-        self.assertEqual(self.tables(self.fleet(FLEET, "--status")), self.tables(whole))
+        self.assertEqual(self.tables(self.fleet(content)), self.tables(whole))
+        self.assertEqual(self.tables(self.fleet(content, "--status")), self.tables(whole))
 
     def test_a_narrower_need_takes_no_new_runs(self):
         small = {**FLEET, "robots": {"group": "robots", "from": 2, "to": 2}}

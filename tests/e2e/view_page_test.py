@@ -159,8 +159,8 @@ class View(Case):
         end = self.browser.run("baraka.source.end")
 
         def scrub():
-            for eighth in range(0, 9):
-                self.browser.go(t=round(end * eighth / 8))
+            for quarter in range(5):
+                self.browser.go(t=round(end * quarter / 4))
         for _ in range(3):
             scrub()
         before = self.browser.heap()
