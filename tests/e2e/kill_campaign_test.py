@@ -92,8 +92,8 @@ class Victims:
 class Run:
     """A run of two stations with programs under way."""
 
-    def __init__(self, case):
-        self.case, self.mark = case, Mark()
+    def __init__(self, case, programs):
+        self.case, self.mark, self.programs = case, Mark(), programs
         folder = tempfile.TemporaryDirectory(prefix="baraka-kill-")
         case.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
@@ -101,7 +101,7 @@ class Run:
 
     def start(self):
         programs = [{"name": f"p{i}", "command": [word.replace("{mark}", self.mark.text) for word in program]}
-                    for i, program in enumerate(PROGRAMS)]
+                    for i, program in enumerate(self.programs)]
         scenario = {
             "version": 1, "routing": "none", "radio": {"include": "radios/ieee80211g.yaml", "queue_limit": 20},
             "agents": {
@@ -112,7 +112,8 @@ class Run:
         file = self.folder / "scenario.yaml"
         file.write_text(json.dumps(scenario))
         self.process = subprocess.Popen(
-            [BIN / "baraka", "run", file, "--out", self.folder / "run", "--no-inspect"],
+            [BIN / "baraka", "run", file, "--out", self.folder / "run", "--no-inspect",
+             "--max-speed", "1"],  # lockstep_kills does without
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
             env={**os.environ, **self.mark.variables, "PATH": wire.PATH})
 
@@ -156,7 +157,8 @@ class Kills(unittest.TestCase):
         self.assertEqual(self.killed, set(KINDS))
 
     def kill_one_of_two(self, chosen, instant):
-        doomed, other = Run(self), Run(self)
+        # When the other one is told to end, a program that ignores signals would take 10 s.
+        doomed, other = Run(self, PROGRAMS), Run(self, PROGRAMS[1:])
         other.start()
         doomed.start()
         if instant > EARLY:
