@@ -94,6 +94,15 @@ s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
 s.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
 print(sum(s.sendto(bytes(1000), ('10.77.255.255', 5000)) for _ in range(3000)), flush=True)
 """
+# Sends as fast as the interface takes it, to whom is there and to nobody's address, until it is told to end.
+ENDS_SENDING = """
+import signal, socket, sys
+signal.signal(signal.SIGTERM, lambda *_: sys.exit(print('told')))
+s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+while True:
+    try: s.sendto(bytes(1000), (sys.argv[1], 5000))
+    except OSError: pass
+"""
 ENDS_NEVER = """
 import signal, time
 signal.signal(signal.SIGTERM, signal.SIG_IGN)
@@ -133,6 +142,12 @@ class Ended(Held):
             self.assertEqual(self.log(agent, "slow").split(), ["1002000000000", "1002500000000", "3000000"])
         self.assertEqual(self.log("a", "never").split(), [str(second) for second in range(12)], "killed after 10 s")
         self.assertEqual(self.query("SELECT count(*) FROM programs WHERE ended_ns IS NOT NULL"), [(0,)])
+
+    def test_programs_that_send_all_the_time_end_before_they_are_killed(self):
+        agents = {agent: [("flood", [PYTHON, "-c", ENDS_SENDING, to], "")] for agent, to in (("a", "b"), ("b", "10.77.0.9"))}
+        finished = self.run_held(scenario(self.folder, agents), "--set", "end.0.at=300 ms")
+        self.assertEqual([self.log(agent, "flood") for agent in agents], ["told\n"] * 2)
+        self.assertNotIn("too much wall time", finished.err)
 
     def test_a_program_with_fast_dds_ends_before_it_is_killed(self):
         load = BIN.parent / "tests/fastdds_load"

@@ -238,7 +238,7 @@ class Exact(Held):
     def test_they_are_the_same_beside_busy_loops_and_when_repeated(self):
         alone = self.echo()
         first = self.out
-        with self.busy(4):
+        with self.busy(os.cpu_count()):
             loaded = self.echo()
         self.assertEqual(alone[1], loaded[1])
         self.assertEqual(alone[0]["fingerprint"], loaded[0]["fingerprint"])
@@ -298,7 +298,7 @@ class Exact(Held):
         self.ddsperf(102)
 
     def test_so_are_those_of_others_beside_busy_loops(self):
-        with self.busy(4):
+        with self.busy(os.cpu_count()):
             self.ping(100)
             if shutil.which("ddsperf"):
                 self.ddsperf(20)

@@ -17,6 +17,8 @@
 namespace baraka::run::network {
 namespace {
 
+constexpr std::int64_t kRoomEvery = 10'000'000;  // ns, after the end of a run
+
 std::int64_t nanoseconds(hal::Time time) { return time.time_since_epoch().count(); }
 
 }  // namespace
@@ -142,12 +144,21 @@ std::optional<hal::Time> LockstepBridge::deadline(hal::AgentId agent) const {
 }
 
 bool LockstepBridge::end_in_turns(AgentPrograms& one, std::int64_t now) {
-  constexpr std::size_t kRoom = 1000;  // frames
-  do {
-    if (!run_turns(one, now, [](std::span<const std::uint8_t>) {})) return false;
-    on_room(one.station.agent, {.free = kRoom, .capacity = kRoom});
-  } while (one.has_woken);
-  return true;
+  // Of a program that sends all the time: as many frames as a radio of some 100 Mb/s would take.
+  constexpr std::size_t kFrames = 100;
+  if (now >= one.next_room) {
+    one.waits.set_time(now);
+    on_room(one.station.agent, {.free = kFrames, .capacity = kFrames});
+    one.next_room = now + kRoomEvery;
+  }
+  return run_turns(one, now, [](std::span<const std::uint8_t>) {});
+}
+
+/// When something happens to programs after the end.
+std::optional<std::int64_t> LockstepBridge::next_of_end(const AgentPrograms& one) {
+  const auto deadline = one.waits.deadline();
+  if (!one.waits.waits_for_room()) return deadline;
+  return std::min(deadline.value_or(one.next_room), one.next_room);
 }
 
 void LockstepBridge::end_programs(hal::Time now, hal::Duration grace) {
@@ -160,8 +171,8 @@ void LockstepBridge::end_programs(hal::Time now, hal::Duration grace) {
       one->waits.send(process, SIGTERM);
       goes_on = end_in_turns(*one, nanoseconds(now));
     }
-    auto next = one->waits.deadline();
-    for (; goes_on && next && *next <= last; next = one->waits.deadline()) {
+    auto next = next_of_end(*one);
+    for (; goes_on && next && *next <= last; next = next_of_end(*one)) {
       goes_on = end_in_turns(*one, *next);
     }
     for (const pid_t process : one->waits.processes()) {

@@ -89,7 +89,8 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
     programs::lockstep::KernelFrames kernel;
     std::uint64_t sent = 0;  ///< RoomPage::sent() before the TAP was last seen empty.
     bool has_woken = false;
-    std::uint32_t seen = 0;  ///< AgentWaits::changes() after the last turn.
+    std::uint32_t seen = 0;      ///< AgentWaits::changes() after the last turn.
+    std::int64_t next_room = 0;  ///< After the end: when its interface takes frames again [ns].
   };
 
   AgentPrograms& of(hal::AgentId agent);
@@ -99,6 +100,7 @@ class LockstepBridge final : public sim::air::FrameSink, public sim::air::HeldPr
                  const std::function<void(std::span<const std::uint8_t>)>& take);
   /// The same after the end. @return false: they are to be let go.
   bool end_in_turns(AgentPrograms& one, std::int64_t now);
+  static std::optional<std::int64_t> next_of_end(const AgentPrograms& one);
   /// @return whether there were frames.
   bool drain(AgentPrograms& one, std::int64_t now,
              const std::function<void(std::span<const std::uint8_t>)>& take);
