@@ -152,6 +152,7 @@ class Wheels:
 
     def check_odometry_follows_the_truth(self, tolerance):
         self.begin()
+        self.wait_for(lambda: self.probe.numbers("state"), "odometry, which begins where it is first read")
         drive_for(self.probe, (0.3, 0.1, 0.5), 1)
         self.assertEqual(self.probe.ask("stop_and_wait 5"), "ok")
         self.await_standing()
