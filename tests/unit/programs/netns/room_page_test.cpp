@@ -97,6 +97,7 @@ TEST(RoomPage, KeepsManySendersWithinTheQueue) {
   RoomPage page;
   std::atomic<std::uint32_t> tap = 0;
   std::vector<std::jthread> senders;
+  senders.reserve(kSenders);
   page.publish(0, kCapacity, kCapacity);
   for (int i = 0; i < kSenders; ++i) {
     senders.emplace_back([&] {
