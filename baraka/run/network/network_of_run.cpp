@@ -286,7 +286,7 @@ void NetworkOfRun::sum_up(NetworkSummary& summary) const {
 }
 
 /// Else what they write as they end would come in another order each time.
-/// @return whether nothing was cut off that somebody is interested in.
+/// @return false: the wall time was over before all had ended. After Ctrl-C true in any case.
 bool NetworkOfRun::end_in_turns() {
   constexpr std::chrono::seconds kGrace{10}, kOfSomebodyWhoWaits{2};
   const auto longest = pace::interrupted() ? kOfSomebodyWhoWaits : kGrace;  // of wall time
