@@ -38,7 +38,7 @@ DsssMode::DsssMode(hal::BitsPerSecond rate, const Options& options)
       header_rate_(is_short(rate, options.preamble) ? 2e6 : 1e6),
       rounding_(options.rounding),
       errors_(options.errors) {
-  // Computes the table for CCK now: it takes 11 ms of processor time, which would delay frames of
+  // Computes the table for CCK now: it takes 6 ms of processor time, which would delay frames of
   // programs if it were computed at the first reception.
   (void)success_probability(errors_, 1, rate, 1);
 }

@@ -12,6 +12,8 @@ namespace {
 constexpr double kMobilityFrameworkBandwidth = 2e6;  // Hz
 /// Above this x, 1 - BER with BER <= exp(-x) / 2 is 1 as a double.
 constexpr double kIsCertain = 38;
+/// From this z on, 1 - erfc(z) is 1 as a double: erfc(6) = 2.2e-17.
+constexpr double kErrorFunctionIsOne = 6;
 
 double mobility_framework_ber(double sinr, double rate) {
   const double per_bit = sinr * kMobilityFrameworkBandwidth / rate;
@@ -47,7 +49,9 @@ double biorthogonal_integral(double beta) {
   double sum = 0;
   for (int i = 0; i <= kIntervals; ++i) {
     const double x = low + i * step;
-    const double inside = 1 - hal::math::erfc((x + beta) / std::sqrt(2.0));  // 2 Phi(x + beta) - 1
+    const double z = (x + beta) / std::sqrt(2.0);
+    // 2 Phi(x + beta) - 1
+    const double inside = z >= kErrorFunctionIsOne ? 1 : 1 - hal::math::erfc(z);
     const double cube = inside * inside * inside;
     const double weight = i == 0 || i == kIntervals ? 1 : (i % 2 == 1 ? 4 : 2);
     sum += weight * cube * cube * inside * hal::math::exp(-x * x / 2);
