@@ -7,8 +7,9 @@ with_progress() {
   log=$(mktemp)
   SECONDS=0
   (  # this sleeps, not the command, so that Ctrl-C reaches both; it ends with the caller
-    trap 'kill "$!"; exit' TERM
-    while sleep "${PROGRESS_PERIOD:-10}" >/dev/null 2>&1 & wait "$!" && kill -0 "$$" 2>/dev/null; do
+    sleeper=
+    trap '[ -z "$sleeper" ] || kill "$sleeper"; exit' TERM
+    while sleep "${PROGRESS_PERIOD:-10}" >/dev/null 2>&1 & sleeper=$!; wait "$sleeper" && kill -0 "$$" 2>/dev/null; do
       printf '%s, %d s: %s\n' "$what" "$SECONDS" "$(tail -n 1 "$log" | tr -d '\r' | cut -c 1-100)"
     done
   ) &
