@@ -156,7 +156,7 @@ class GoingOn(Fleets):
         for topic in scenario["agents"]["robots"]["topics"]:
             topic["participants"] = "topic"  # players of several processes
         self.write("hall.yaml", scenario)
-        content = {**FLEET, "robots": {"group": "robots", "from": 1, "to": 3, "step": 2}}
+        content = {**FLEET, "replications": 1, "robots": {"group": "robots", "from": 1, "to": 3, "step": 2}}
         whole = self.fleet(content, out=self.folder / "whole")
         program = self.begin(content)
         wait_for(lambda: any(self.out.glob("runs/*/run.sqlite")) and self.players())

@@ -147,7 +147,7 @@ class Ended(Held):
 
     def test_programs_that_send_all_the_time_end_before_they_are_killed(self):
         agents = {agent: [("flood", [PYTHON, "-c", ENDS_SENDING, to], "")] for agent, to in (("a", "b"), ("b", "10.77.0.9"))}
-        finished = self.run_held(scenario(self.folder, agents), "--set", "end.0.at=300 ms")
+        finished = self.run_held(scenario(self.folder, agents), "--set", "end.0.at=100 ms")
         self.assertEqual([self.log(agent, "flood") for agent in agents], ["told\n"] * 2)
         self.assertNotIn("too much wall time", finished.err)
 
@@ -216,7 +216,7 @@ class Debugged(Watched):
         self.addCleanup(process.kill)
         return process
 
-    def echo(self, mark, times=600):
+    def echo(self, mark, times=300):
         return {"a": [("ask", [ECHO_IN_C, "10.77.0.2", times], ", on_exit: end"), CLOCK], "b": [
             ("answer", [ECHO_IN_C, mark], ""), CLOCK]}
 
@@ -265,18 +265,18 @@ class Paused(Watched):
     AGENTS = {"a": [CLOCK], "b": [PINGS, CLOCK]}
 
     def test_breakpoints_of_the_view_and_commands_of_others(self):
-        expected = self.begin(self.AGENTS, end="30 s").finish()
-        run = self.begin(self.AGENTS, "--view", "--no-open", "--paused", "--max-speed", "1e9", end="30 s")
+        expected = self.begin(self.AGENTS, end="9 s").finish()
+        run = self.begin(self.AGENTS, "--view", "--no-open", "--paused", "--max-speed", "1e9", end="9 s")
         page = Page(next(line.split()[1] for line in run.process.stderr if line.startswith("view: ")))
         self.assertTrue(page.now()["paused"])
-        page.post("break", on="time", at=10_000_000_000)
+        page.post("break", on="time", at=3_000_000_000)
         page.post("resume")
         now = page.until(lambda now: now["paused"])
-        self.assertTrue(10_000_000_000 - 1 <= now["now"] < 10_200_000_000, now)  # up to the next instant
+        self.assertTrue(3_000_000_000 - 1 <= now["now"] < 3_200_000_000, now)  # up to the next instant
         before = [self.length(agent) for agent in "ab"]
         page.post("step", count=5, of="frame")
-        now = page.until(lambda now: now["paused"] and now["now"] > 10_000_000_000)
-        self.assertLess(now["now"], 11_000_000_000)
+        now = page.until(lambda now: now["paused"] and now["now"] > 3_000_000_000)
+        self.assertLess(now["now"], 4_000_000_000)
         page.post("resume")
         wait_for(lambda: page.now()["ended"])
         self.assertGreater([self.length(agent) for agent in "ab"], before)

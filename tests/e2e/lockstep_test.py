@@ -405,7 +405,7 @@ class Programs(Held):
         """Its packets wait for an address, so that they never fill the queue of the station."""
         code = ("import socket\ns = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\ns.connect(('10.77.0.9', 5000))\n"
                 "while True:\n    try: s.send(bytes(1000))\n    except OSError: pass")
-        finished = self.run_held(scenario(self.folder, {"a": [("flood", [PYTHON, "-c", code], "")]}), "--set", "end.0.at=1 s")
+        finished = self.run_held(scenario(self.folder, {"a": [("flood", [PYTHON, "-c", code], "")]}), "--set", "end.0.at=200 ms")
         self.assertEqual(finished["result"], "late")
         self.assertEqual(finished["frames_dropped"], "0")
 
@@ -419,7 +419,7 @@ class Programs(Held):
         self.assertNotEqual(drawn[:16384], drawn[16384:32768])
 
     def test_commands_of_others_run_in_agents_that_nothing_happens_to(self):
-        busy = [("loop", ["sh", "-c", "while sleep 0.01; do :; done"], "")]
+        busy = [("loop", ["sh", "-c", "while sleep 0.1; do :; done"], "")]
         file = scenario(self.folder, {"a": busy, "b": []})
         run = self.start(file, "--pace", "lockstep", "--set", "end.0.at=100 h")
         wait_for(lambda: (self.out / "run.log").exists())

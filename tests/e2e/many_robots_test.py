@@ -103,8 +103,8 @@ class ManyRobots(Hours):
                 until = ("--until", 30, *phase(name))
                 expected = self.run_baraka(MANY_ROBOTS, *until, *IN_PROCESS)["fingerprint"]
                 self.assertEqual(self.run_baraka(MANY_ROBOTS, *until)["fingerprint"], expected)
-                one_each = ("--set", "agents.robots.controller.processes=12")
-                self.assertEqual(self.run_baraka(MANY_ROBOTS, *until, *one_each)["fingerprint"], expected)
+        one_each = ("--set", "agents.robots.controller.processes=12")
+        self.assertEqual(self.run_baraka(MANY_ROBOTS, *until, *one_each)["fingerprint"], expected)
 
     def play_two_robots(self, other, name, seed):
         finished = self.run_baraka(CASE_STUDY, "--seed", seed, *phase(name), *IN_PROCESS, "--set",

@@ -48,7 +48,7 @@ class Python(Case):
 
 class Equal(Python):
     def test_help_robot_in_python_gives_the_fingerprint_of_the_one_in_c_plus_plus(self):
-        for mode, until in (("in-process", 300), ("spawn", 60)):
+        for mode, until in (("in-process", 150), ("spawn", 30)):
             prints = [self.play(MANY_ROBOTS, "--controllers", mode, "--until", f"{until} s", "--set",
                                 f"agents.robots.controller.program={program}", "--set",
                                 "agents.motes.controller.overrides.0.parameters.help_at=1 s")["fingerprint"]
