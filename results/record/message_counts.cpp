@@ -7,6 +7,8 @@ namespace results::record {
 namespace {
 
 constexpr hal::MessageId kForgetEvery = 32;
+/// Of a number without a message.
+constexpr auto kNone = static_cast<std::uint8_t>(hal::Verdict::kDelivered);
 
 }  // namespace
 
@@ -22,8 +24,10 @@ void MessageCounts::on_message_sent(hal::Time at, const hal::Message& message) {
   // Old messages are removed only from time to time: they are no longer in the cache.
   if (message.id % kForgetEvery == 0) forget(from, at);
   if (from.sent.empty()) from.first = message.id;
-  // Numbers that the sender skipped belong to no message.
-  while (from.first + from.sent.size() < message.id) from.sent.push_back({.at = at});
+  // Numbers in between belong to no message of these: nothing more will be known of them.
+  while (from.first + from.sent.size() < message.id) {
+    from.sent.push_back({.at = at, .verdict = kNone, .fate = kNone});
+  }
   const Sent sent{.at = at,
                   .kind = kind_of(from, message),
                   .bytes = static_cast<std::uint16_t>(message.payload.size())};
@@ -177,8 +181,8 @@ void MessageCounts::write_kind(std::uint16_t address, Kind& kind) {
 std::vector<Table> MessageCounts::tables() {
   return {
       {"counted_ends",
-       "outcome of the messages that have no row of their own (record: {messages: counts}); use "
-       "message_ends",
+       "outcome of the messages that have no row of their own (record: {messages: counts} or "
+       "sample); use message_ends",
        {{"sender", "INTEGER NOT NULL", "", "agent"},
         {"destination", "INTEGER NOT NULL", "", "agent; 65535: everyone, 65534: neighbours"},
         {"topic", "TEXT NOT NULL", "", "class of the message"},

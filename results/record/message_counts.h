@@ -15,8 +15,8 @@
 
 namespace results::record {
 
-/// Writes the tables counted_ends, counted_fates and counted_deliveries, for runs whose messages
-/// are not listed.
+/// Writes the tables counted_ends, counted_fates and counted_deliveries, of messages that are not
+/// listed.
 ///
 /// Of each message its class, its time and its outcome so far are kept (16 bytes) until its verdict
 /// and its fate are known and kKept of simulated time have passed; somewhat longer in fact, because

@@ -26,10 +26,11 @@ std::vector<Table> MessageWriter::end_views() {
         {"count", "INTEGER", "", "messages"},
         {"bytes", "INTEGER", "byte", "of their payloads"}},
        "sender, destination, topic, verdict",
-       "SELECT sender, destination, topic, IFNULL(verdict, 'under way') AS verdict,"
+       "SELECT sender, destination, topic, verdict, SUM(count) AS count, SUM(bytes) AS bytes FROM"
+       " (SELECT sender, destination, topic, IFNULL(verdict, 'under way') AS verdict,"
        " COUNT(*) AS count, SUM(bytes) AS bytes FROM messages GROUP BY 1, 2, 3, 4"
        " UNION ALL SELECT sender, destination, topic, verdict, count, bytes FROM counted_ends"
-       " WHERE count > 0"},
+       " WHERE count > 0) GROUP BY 1, 2, 3, 4"},
       {"message_fates",
        "fates reported to the senders of messages, listed or counted",
        {{"sender", "INTEGER", "", "agent"},
@@ -38,9 +39,11 @@ std::vector<Table> MessageWriter::end_views() {
         {"fate", "TEXT", "", "reported to the sender"},
         {"count", "INTEGER", "", "messages"}},
        "sender, destination, topic, fate",
-       "SELECT sender, destination, topic, fate, COUNT(*) AS count FROM messages"
+       "SELECT sender, destination, topic, fate, SUM(count) AS count FROM"
+       " (SELECT sender, destination, topic, fate, COUNT(*) AS count FROM messages"
        " WHERE fate IS NOT NULL GROUP BY 1, 2, 3, 4"
-       " UNION ALL SELECT sender, destination, topic, fate, count FROM counted_fates"},
+       " UNION ALL SELECT sender, destination, topic, fate, count FROM counted_fates)"
+       " GROUP BY 1, 2, 3, 4"},
   };
 }
 
@@ -62,11 +65,14 @@ std::vector<Table> MessageWriter::delivery_views() {
         {"delay_least_ns", "INTEGER", "ns", "the shortest"},
         {"delay_greatest_ns", "INTEGER", "ns", "the longest"}},
        "sender, destination, topic, receiver, transmissions",
-       "SELECT m.sender, m.destination, m.topic, d.receiver, d.transmissions, COUNT(*) AS count,"
+       "SELECT sender, destination, topic, receiver, transmissions, SUM(count) AS count,"
+       " SUM(bytes) AS bytes, SUM(late) AS late, SUM(delay_sum_ns) AS delay_sum_ns,"
+       " MIN(delay_least_ns) AS delay_least_ns, MAX(delay_greatest_ns) AS delay_greatest_ns FROM"
+       " (SELECT m.sender, m.destination, m.topic, d.receiver, d.transmissions, COUNT(*) AS count,"
        " SUM(m.bytes) AS bytes, 0 AS late, SUM(d.delay_ns) AS delay_sum_ns,"
        " MIN(d.delay_ns) AS delay_least_ns, MAX(d.delay_ns) AS delay_greatest_ns"
        " FROM deliveries d JOIN messages m USING (sender, id) GROUP BY 1, 2, 3, 4, 5"
-       " UNION ALL SELECT * FROM counted_deliveries"},
+       " UNION ALL SELECT * FROM counted_deliveries) GROUP BY 1, 2, 3, 4, 5"},
       {"broadcast_sums",
        "messages to everyone or to neighbours, listed or counted: how many were sent and received",
        {{"sender", "INTEGER", "", "agent"},

@@ -76,7 +76,7 @@ std::vector<ScalarKind> message_scalars() {
        "SELECT '', SUM(delay_sum_ns) * 1e-9 / SUM(count - late) FROM message_deliveries"
        " WHERE destination < 65534"},
       {"messages.delay.median", "s",
-       "median of that time; only with record: {messages: all}, as the next two",
+       "median of that time; only with record: {messages: sample} or all, as the next two",
        quantile(kDelays, 0.5)},
       {"messages.delay.p95", "s", "95th percentile", quantile(kDelays, 0.95)},
       {"messages.delay.p99", "s", "99th percentile", quantile(kDelays, 0.99)},

@@ -11,7 +11,7 @@ namespace results::record {
 
 /// Version of the tables below, stored as `PRAGMA user_version` of the file. It is incremented by
 /// any change of a table, of a column or of a meaning; readers accept this version only.
-inline constexpr int kSchemaVersion = 17;
+inline constexpr int kSchemaVersion = 18;
 
 /// Name of the file with the tables, in the folder of a result.
 inline constexpr const char* kResultsFile = "run.sqlite";

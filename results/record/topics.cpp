@@ -17,6 +17,7 @@
 #include "results/record/look_log.h"
 #include "results/record/message_counts.h"
 #include "results/record/message_log.h"
+#include "results/record/message_sample.h"
 #include "results/record/movable_log.h"
 #include "results/record/observable_tables.h"
 #include "results/record/relay_counts.h"
@@ -47,6 +48,8 @@ void add_frame_counts(Recording& of) {
 void add_message_log(Recording& of) {
   if (of.options.messages == Detail::kAll)
     of.add<MessageLog>(of.database, of.protocols, of.commits);
+  if (of.options.messages == Detail::kSample)
+    of.add<MessageSample>(of.database, of.protocols, of.commits);
 }
 void add_message_counts(Recording& of) {
   if (of.options.messages == Detail::kCounts) of.add<MessageCounts>(of.database, of.protocols);

@@ -88,7 +88,7 @@ void simulation_keys(Fields& io, Scenario& scenario) {
             kLinks, c.link);
 }
 
-constexpr std::array kFrameDetails = {
+constexpr std::array kSampledDetails = {
     Option<Detail>{"none", Detail::kNone}, Option<Detail>{"counts", Detail::kCounts},
     Option<Detail>{"sample", Detail::kSample}, Option<Detail>{"all", Detail::kAll}};
 constexpr std::array kRouteDetails = {Option<Detail>{"none", Detail::kNone},
@@ -103,12 +103,15 @@ void detail_keys(Fields& io, RecordOptions& c) {
              "row each, with rows of their receptions, for the first ones of each simulated "
              "second, up to 5000 rows; all: rows for every frame.",
              "all", "sample; counts with more than 100 agents"},
-            kFrameDetails, c.frames);
+            kSampledDetails, c.frames);
   io.choice({"messages",
              "How messages and their deliveries are recorded. none: not at all; counts: counted; "
-             "all: a row for each, which quartiles of their delays need.",
-             "counts", "all; counts with more than 100 agents"},
-            kDetails, c.messages);
+             "sample: a row for each to one agent, which quartiles of their delays need, and of "
+             "those to everyone and to neighbours for the first ones of each simulated second, "
+             "until they and their deliveries are 1000 rows, while the others are counted; all: a "
+             "row for each.",
+             "all", "sample; counts with more than 100 agents"},
+            kSampledDetails, c.messages);
   io.choice({"samples",
              "How DDS samples that programs on agents with a `network` exchange are recorded. "
              "none: not at all; counts: counted by writer and reader, with a histogram of "
@@ -196,7 +199,7 @@ void record_keys(Fields& io, Scenario& scenario) {
   RecordOptions& c = scenario.record;
   if (io.reading() != nullptr) {
     const bool many = scenario.simulation.agents.size() > kAgentsOfListedMessages;
-    c.messages = many ? Detail::kCounts : Detail::kAll;
+    c.messages = many ? Detail::kCounts : Detail::kSample;
     c.frames = many ? Detail::kCounts : Detail::kSample;
     c.routes = many ? Detail::kNone : Detail::kAll;
     c.readings = many ? Detail::kNone : Detail::kSample;

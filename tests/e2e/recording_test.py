@@ -81,12 +81,29 @@ class Recording(Case):
             self.assertEqual(lines[0], lines[1])
             self.assertTrue(lines[0])
 
-    def test_up_to_100_agents_messages_are_listed_unless_counts_are_asked_for(self):
-        listed = self.crowd(100, "--controllers", "in-process")
+    def test_up_to_100_agents_they_are_listed_but_for_those_to_many_beyond_the_first_of_each_second(self):
+        two_seconds = ("--controllers", "in-process", "--set", "end.0.at=2 s")
+        listed = self.crowd(100, *two_seconds, "--set", "record.messages=all")
         self.assertGreater(self.rows("messages"), 500)
         self.assertEqual(self.rows("counted_ends"), 0)
         views = self.views()
-        counted = self.crowd(100, "--controllers", "in-process", "--set", "record.messages=counts")
+        to_many = ("SELECT sent_ns / 1000000000, sent_ns, sender, id, verdict, fate, (SELECT count(*) FROM deliveries d WHERE "
+                   "d.sender = m.sender AND d.id = m.id) FROM messages m WHERE destination >= 65534 ORDER BY 2, 3")
+        broadcasts = self.query(to_many)
+        to_one = "SELECT sender, id, verdict, fate, delay_ns FROM messages LEFT JOIN deliveries USING (sender, id) WHERE destination < 65534"
+        singles = self.query(to_one + " ORDER BY 1, 2")
+        self.assertEqual(self.crowd(100, *two_seconds), listed)
+        self.assertIn("messages: sample", (self.out / "scenario.resolved.yaml").read_text())
+        self.assertEqual(self.query(to_one + " ORDER BY 1, 2"), singles)
+        self.assertEqual(self.views(), views)
+        sample = self.query(to_many)
+        for second in 0, 1:
+            first = [row for row in sample if row[0] == second]
+            everything = [row for row in broadcasts if row[0] == second]
+            self.assertEqual([row for row in everything if row[1] <= first[-1][1]], first)
+            self.assertGreaterEqual(sum(1 + row[-1] for row in first), 1000)
+            self.assertLess(len(first), len(everything))
+        counted = self.crowd(100, *two_seconds, "--set", "record.messages=counts")
         self.assertEqual(self.rows("messages"), 0)
         self.assertEqual(self.views(), views)
         self.assertEqual(listed, counted)
@@ -103,7 +120,7 @@ class Recording(Case):
 
     def test_a_topic_that_nobody_hears_is_named_also_if_it_is_counted(self):
         far = ("--set", "agents.talker.poses=[{x: 9 km, y: 0 m}]", "--set", "agents.stations.controller.parameters.stop=0 s")
-        for messages in "all", "counts":
+        for messages in "all", "sample", "counts":
             file = self.folder / "crowd.yaml"
             file.write_text(SCENARIO.format(count=1), encoding="utf-8")
             finished = self.run_baraka(file, "--controllers", "in-process", "--set", f"record.messages={messages}", *far)

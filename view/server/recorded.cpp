@@ -72,7 +72,13 @@ Json missing_json(const RecordSettings& settings) {
   } else if (frames != "all") {
     say("single frames", "record: {frames: all}");
   }
-  if (word(settings, "messages") != "all") say("single messages", "record: {messages: all}");
+  const std::string messages = word(settings, "messages");
+  if (messages == "sample") {
+    say("messages to several agents beyond the first of each simulated second",
+        "record: {messages: all}");
+  } else if (messages != "all") {
+    say("single messages", "record: {messages: all}");
+  }
   if (word(settings, "routes") != "all") say("routes and queues", "record: {routes: all}");
   const std::string readings = word(settings, "readings");
   if (readings == "ranges") {

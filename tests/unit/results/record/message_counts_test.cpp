@@ -14,7 +14,7 @@
 #include "tests/unit/results/record/test_run.h"
 
 /// The views message_ends, message_fates, message_deliveries and broadcast_sums say the same
-/// whether messages are listed or counted.
+/// whether messages are listed, counted, or the first of each second listed and the others counted.
 namespace results::record::test {
 namespace {
 
@@ -45,17 +45,22 @@ class MessageCountsTest : public testing::Test {
                                         RecorderOptions{.messages = sim::scenario::Detail::kAll})),
         counts(std::make_unique<Recorder>(
             folder.path() / "counts.sqlite", small_config(),
-            RecorderOptions{.messages = sim::scenario::Detail::kCounts})) {}
+            RecorderOptions{.messages = sim::scenario::Detail::kCounts})),
+        sample(std::make_unique<Recorder>(
+            folder.path() / "sample.sqlite", small_config(),
+            RecorderOptions{.messages = sim::scenario::Detail::kSample})) {}
 
   template <class Tell>
   void both(Tell tell) {
     tell(*list);
     tell(*counts);
+    tell(*sample);
   }
 
   void expect_equal(const std::string& view, const std::string& columns) {
     const std::string listed = all_of(folder.path() / "list.sqlite", view, columns);
     EXPECT_EQ(all_of(folder.path() / "counts.sqlite", view, columns), listed);
+    EXPECT_EQ(all_of(folder.path() / "sample.sqlite", view, columns), listed);
     EXPECT_NE(listed, "null") << "nothing was compared";
   }
 
@@ -73,7 +78,7 @@ class MessageCountsTest : public testing::Test {
   }
 
   Folder folder;
-  std::unique_ptr<Recorder> list, counts;
+  std::unique_ptr<Recorder> list, counts, sample;
 };
 
 TEST_F(MessageCountsTest, CountsAreThoseOfTheList) {
@@ -82,8 +87,8 @@ TEST_F(MessageCountsTest, CountsAreThoseOfTheList) {
   std::vector<MessageId> last(4);
   std::set<std::tuple<int, MessageId, int>> got;
   Time now{};
-  for (int step = 0; step < 3000; ++step) {
-    now += std::chrono::milliseconds{random.below(3)};
+  for (int step = 0; step < 12000; ++step) {
+    now += std::chrono::microseconds{random.below(300)};  // more than a sample has room for
     const std::uint32_t what = sent.empty() ? 0 : random.below(6);
     if (what == 0) {
       const auto from = static_cast<std::uint16_t>(1 + random.below(3));
@@ -109,8 +114,11 @@ TEST_F(MessageCountsTest, CountsAreThoseOfTheList) {
         recorder.on_message_delivered(now, receiver, which, static_cast<int>(1 + which.id % 3));
       });
     }
-    if (step % 500 == 499) expect_equal_views();
+    if (step % 2000 == 1999) expect_equal_views();
   }
+  const auto file = folder.path() / "sample.sqlite";
+  EXPECT_EQ(ask(file, "SELECT COUNT(*) > 100 FROM messages WHERE destination >= 65534"), "1");
+  EXPECT_EQ(ask(file, "SELECT SUM(count) > 100 FROM counted_ends"), "1");
 }
 
 TEST_F(MessageCountsTest, WhatHasNoEndYetIsUnderWayHoweverOldItIs) {
