@@ -9,10 +9,17 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "e2e"))
-from baraka import BIN, ROOT, Case, some_domain  # noqa: E402
+from baraka import BIN, ROOT, Case, some_domain, wait_for  # noqa: E402
 
 PROGRAMS = ROOT / "tests/e2e/python"
 IN_PROCESS, SPAWN = ("--controllers", "in-process"), ("--controllers", "spawn")
+
+
+def catches(pid, number):
+    """Whether a process has a handler of its own for a signal, proc(5)."""
+    status = pathlib.Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
+    caught = next(line.split()[1] for line in status.splitlines() if line.startswith("SigCgt:"))
+    return int(caught, 16) >> (number - 1) & 1
 
 
 class Programs(Case):
@@ -54,8 +61,11 @@ class Programs(Case):
         for number in (signal.SIGTERM, signal.SIGINT):
             process = subprocess.Popen(
                 [sys.executable, BIN / "python/baraka/__main__.py", HERE / "counts.py", "--agents", "r0", "--wait", "none", "--domain",
-                 str(domain)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "COUNTS_SAYS": "1"})
+                 str(domain)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "COUNTS_SAYS": "1"},
+                # Who starts these tests in the background of a shell has it ignored.
+                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
             self.addCleanup(process.kill)
+            wait_for(lambda pid=process.pid: catches(pid, signal.SIGTERM))  # its thread goes on already while it begins
             for _ in range(3):
                 self.assertEqual(process.stdout.readline(), "goes on\n")
             process.send_signal(number)
