@@ -68,10 +68,9 @@ std::vector<Table> MessageLog::tables() {
   return {
       {"messages",
        "messages that controllers sent, one by one: each with record: {messages: all}; with "
-       "`sample`, "
-       "the default up to 100 agents, those to one agent, and of those to everyone and to "
-       "neighbours "
-       "the first of each simulated second, until they and their deliveries are 1000 rows",
+       "`sample`, the default up to 100 agents, those to one agent, and of those to everyone and "
+       "to neighbours the first of each simulated second, until they and their deliveries are 1000 "
+       "rows",
        {{"sender", "INTEGER NOT NULL", "", "agent"},
         {"id", "INTEGER NOT NULL", "", "number of the message, counted by its sender"},
         {"destination", "INTEGER NOT NULL", "", "agent; 65535: everyone, 65534: neighbours"},
