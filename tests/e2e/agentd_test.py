@@ -318,10 +318,14 @@ class RobotinoWheels(Wheels, RealAgents):
     def test_it_is_no_clock_of_others_and_its_stamps_are_the_time_of_day(self):
         """Of ROS 2's programs here none has use_sim_time."""
         other = self.mote(Place(self.place.space, "lo", "127.81.0.1"), "m0", 3, 0, 0)
-        look = self.program(self.place, "baraka", "topic", "list")
-        self.assertEqual(look.finish(), 0)
-        self.assertIn("rt/r0/odom", look.out.read_text())
-        self.assertNotIn("rt/clock", look.out.read_text())
+
+        def seen():
+            look = self.program(self.place, "baraka", "topic", "list")
+            self.assertEqual(look.finish(), 0)
+            return look.out.read_text()
+
+        listed = wait_for(lambda: (text := seen()) and "rt/r0/odom" in text and text)  # it looks for a moment
+        self.assertNotIn("rt/clock", listed)
         echo = self.program(self.place, "baraka", "topic", "echo", "rt/r0/odom", "--count", 3)
         self.assertEqual(echo.finish(60), 0, str(echo))
         stamps = [int(n) for n in re.findall(r"\bsec: (\d+)", echo.out.read_text())]

@@ -62,8 +62,8 @@ class Topics(Case):
     def test_info_tells_the_settings_and_that_somebody_reads(self):
         self.start_run(5)
         self.start_topic("echo", "clock")
-        info = wait_for(lambda: (i := self.topic("info", "/clock")) and "readers: []" not in i.out and i,
-                        timeout=40)
+        info = wait_for(lambda: (i := self.topic("info", "/clock")) and "ers: []" not in i.out and i,
+                        timeout=40)  # both are found
         self.assertRegex(
             info.out, r"topic: rt/clock\ntype: rosgraph_msgs::msg::dds_::Clock_\nkeyed: false\n"
             r"writers:\n  - {participant: [0-9a-f]{24}, reliability: reliable, durability: volatile}\n"
