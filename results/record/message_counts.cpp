@@ -7,8 +7,8 @@ namespace results::record {
 namespace {
 
 constexpr hal::MessageId kForgetEvery = 32;
-/// Of a number without a message.
-constexpr auto kNone = static_cast<std::uint8_t>(hal::Verdict::kDelivered);
+/// Verdict and fate of a number without a message, which is so never waited for.
+constexpr auto kNoMessage = static_cast<std::uint8_t>(hal::Verdict::kDelivered);
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void MessageCounts::on_message_sent(hal::Time at, const hal::Message& message) {
   if (from.sent.empty()) from.first = message.id;
   // Numbers in between belong to no message of these: nothing more will be known of them.
   while (from.first + from.sent.size() < message.id) {
-    from.sent.push_back({.at = at, .verdict = kNone, .fate = kNone});
+    from.sent.push_back({.at = at, .verdict = kNoMessage, .fate = kNoMessage});
   }
   const Sent sent{.at = at,
                   .kind = kind_of(from, message),

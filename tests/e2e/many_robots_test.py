@@ -103,7 +103,7 @@ class ManyRobots(Hours):
                 until = ("--until", 30, *phase(name))
                 expected = self.run_baraka(MANY_ROBOTS, *until, *IN_PROCESS)["fingerprint"]
                 self.assertEqual(self.run_baraka(MANY_ROBOTS, *until)["fingerprint"], expected)
-        one_each = ("--set", "agents.robots.controller.processes=12")
+        one_each = ("--set", "agents.robots.controller.processes=12")  # with the phases of the last, which are drawn
         self.assertEqual(self.run_baraka(MANY_ROBOTS, *until, *one_each)["fingerprint"], expected)
 
     def play_two_robots(self, other, name, seed):
