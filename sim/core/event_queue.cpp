@@ -3,20 +3,9 @@
 #include "hal/types/check.h"
 
 namespace sim {
-namespace {
 
-constexpr int kCounterBits = 40;
-constexpr int kAgentBits = 16;
-
-}  // namespace
-
-EventQueue::Place EventQueue::reserve(Rank rank, AgentId agent) {
-  if (agent.value >= counters_.size()) counters_.resize(agent.value + 1u, 0);
-  const std::uint64_t counter = counters_[agent.value]++;
-  // From the highest bits to the lowest: rank, agent, counter.
-  return {(static_cast<std::uint64_t>(rank) << (kAgentBits + kCounterBits)) |
-          (static_cast<std::uint64_t>(agent.value) << kCounterBits) | counter};
-}
+/// @param agent  the first event of this one.
+void EventQueue::add_counters(AgentId agent) { counters_.resize(agent.value + 1u, 0); }
 
 EventSlot& EventQueue::claim(Time at, Place place, bool must_destroy, EventId& id) {
   BARAKA_CHECK(at >= now_);

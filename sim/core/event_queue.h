@@ -100,7 +100,12 @@ class EventQueue {
   std::size_t pending() const { return events_.size(); }
 
  private:
+  // From the highest bits of a place to the lowest: rank, agent, counter.
+  static constexpr int kCounterBits = 40;
+  static constexpr int kAgentBits = 16;
+
   EventSlot& claim(Time at, Place place, bool must_destroy, EventId& id);
+  void add_counters(AgentId agent);
 
   EventSlots slots_;
   FutureEvents events_{slots_};
@@ -109,6 +114,14 @@ class EventQueue {
   Time last_ = Time::min();  ///< Up to this time, the running handler may go on.
   std::uint64_t executed_ = 0;
 };
+
+inline EventQueue::Place EventQueue::reserve(Rank rank, AgentId agent) {
+  if (agent.value >= counters_.size()) [[unlikely]]
+    add_counters(agent);
+  const std::uint64_t counter = counters_[agent.value]++;
+  return {(static_cast<std::uint64_t>(rank) << (kAgentBits + kCounterBits)) |
+          (static_cast<std::uint64_t>(agent.value) << kCounterBits) | counter};
+}
 
 template <class F>
 EventQueue::EventId EventQueue::schedule(Time at, Rank rank, AgentId agent, F&& handler) {

@@ -48,11 +48,30 @@ class EventSlots {
 
  private:
   static constexpr std::uint32_t kBlock = 256;
+  static constexpr std::uint32_t kLastGeneration = ~std::uint32_t{1};
+
+  void grow();
 
   std::vector<std::unique_ptr<EventSlot[]>> blocks_;
   std::vector<std::uint32_t> generations_;
   /// Used as a stack: the slot freed last is likely to be in the cache.
   std::vector<std::uint32_t> free_;
 };
+
+// Called for every event; what hardly ever happens is elsewhere.
+inline std::uint32_t EventSlots::claim(bool must_destroy) {
+  if (free_.empty()) [[unlikely]]
+    grow();
+  const std::uint32_t index = free_.back();
+  free_.pop_back();
+  if (must_destroy) ++generations_[index];
+  return index;
+}
+
+inline void EventSlots::release(std::uint32_t index) {
+  // A slot whose generations are used up is not reused: that costs 64 bytes in two thousand million
+  // events.
+  if (generations_[index] != kLastGeneration) free_.push_back(index);
+}
 
 }  // namespace sim

@@ -27,20 +27,33 @@ constexpr std::string_view name_of(Part part) {
 }
 static_assert(hal::names_exactly<Part, kPartCount>([](Part p) { return name_of(p); }));
 
+/// Calls visit(word) for each eight bytes; the last word is filled up with zeros.
+template <class Visit>
+void for_each_word(const void* data, std::size_t size, Visit visit) {
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  std::uint64_t word = 0;
+  for (; size >= sizeof word; size -= sizeof word, bytes += sizeof word) {
+    std::memcpy(&word, bytes, sizeof word);
+    visit(word);
+  }
+  if (size == 0) return;
+  word = 0;
+  std::memcpy(&word, bytes, size);
+  visit(word);
+}
+
 }  // namespace
 
 std::string_view name(Part part) { return name_of(part); }
 
-void Hash::add(std::string_view text) { add_bytes(text.data(), text.size()); }
-
 void Hash::add_bytes(const void* data, std::size_t size) {
   add(static_cast<std::uint64_t>(size));
-  const auto* bytes = static_cast<const unsigned char*>(data);
-  for (std::size_t i = 0; i < size; i += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
-    add(word);
-  }
+  for_each_word(data, size, [this](std::uint64_t word) { add(word); });
+}
+
+void Fingerprint::Cell::add_bytes(const void* data, std::size_t size) {
+  add(static_cast<std::uint64_t>(size));
+  for_each_word(data, size, [this](std::uint64_t word) { add(word); });
 }
 
 Fingerprint::Cell& Fingerprint::at(Part part, hal::AgentId agent, hal::Time time) {

@@ -35,7 +35,7 @@ class Hash {
   }
   void add(std::int64_t value) { add(static_cast<std::uint64_t>(value)); }
   void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-  void add(std::string_view text);
+  void add(std::string_view text) { add_bytes(text.data(), text.size()); }
   void add_bytes(const void* data, std::size_t size);
   std::uint64_t value() const { return state_; }
 
@@ -61,10 +61,8 @@ class Fingerprint {
       since_start_.add(value);
       within_second_.add(value);
     }
-    void add_bytes(const void* data, std::size_t size) {
-      since_start_.add_bytes(data, size);
-      within_second_.add_bytes(data, size);
-    }
+    void add(std::string_view text) { add_bytes(text.data(), text.size()); }
+    void add_bytes(const void* data, std::size_t size);
 
    private:
     friend class Fingerprint;

@@ -40,6 +40,17 @@ std::uint64_t least_time(const std::vector<Entry>& entries) {
   return least;
 }
 
+/// Of a heap, the child with the earliest entry. @pre the parent has a child.
+std::size_t least_child(const std::vector<Entry>& heap, std::size_t parent) {
+  const std::size_t first = parent * kArity + 1;
+  const std::size_t end = std::min(first + kArity, heap.size());
+  std::size_t least = first;
+  for (std::size_t c = first + 1; c < end; ++c) {
+    if (heap[c].before(heap[least])) least = c;
+  }
+  return least;
+}
+
 }  // namespace
 
 void FutureEvents::push(const Entry& entry) {
@@ -88,7 +99,8 @@ void FutureEvents::drop_cancelled(std::vector<Entry>& list) {
   list.resize(kept);
 }
 
-const Entry* FutureEvents::front() {
+/// The first entry, after those that were cancelled are dropped and the heap is refilled.
+const Entry* FutureEvents::next_front() {
   while (true) {
     while (near_.empty()) {
       if (!refill()) return nullptr;
@@ -154,7 +166,8 @@ void FutureEvents::spill() {
   spill_at_ = std::max(kLargeHeap, 2 * near_.size());
 }
 
-void FutureEvents::push_near(const Entry& entry) {
+/// With all that it calls in line, for a call costs as much as the rest.
+[[gnu::flatten]] void FutureEvents::push_near(const Entry& entry) {
   std::size_t i = near_.size();
   near_.push_back(entry);
   while (i > 0) {
@@ -178,23 +191,12 @@ void FutureEvents::pop_near() {
   if (size == 0) return;
   std::size_t i = 0;
   while (i * kArity + 1 < size) {
-    const std::size_t least = least_child(i);
+    const std::size_t least = least_child(near_, i);
     if (!near_[least].before(last)) break;
     near_[i] = near_[least];
     i = least;
   }
   near_[i] = last;
-}
-
-/// Child with the earliest entry. @pre the parent has a child.
-std::size_t FutureEvents::least_child(std::size_t parent) const {
-  const std::size_t first = parent * kArity + 1;
-  const std::size_t end = std::min(first + kArity, near_.size());
-  std::size_t least = first;
-  for (std::size_t c = first + 1; c < end; ++c) {
-    if (near_[c].before(near_[least])) least = c;
-  }
-  return least;
 }
 
 }  // namespace sim

@@ -54,13 +54,13 @@ class FutureEvents {
   bool is_live(const Entry& entry) const {
     return slots_.generation(entry.slot) == entry.generation;
   }
+  const Entry* next_front();
   void append(const Entry& entry);
   bool refill();
   void spread();
   void spill();
   void push_near(const Entry& entry);
   void pop_near();
-  std::size_t least_child(std::size_t parent) const;
   void take_near(std::vector<Entry>& list);
   void drop_cancelled(std::vector<Entry>& list);
   void sweep();
@@ -78,5 +78,11 @@ class FutureEvents {
   std::vector<Entry> far_;
   std::vector<Entry> moving_;  ///< Empty except while entries are distributed or spilled.
 };
+
+inline const FutureEvents::Entry* FutureEvents::front() {
+  if (!near_.empty() && is_live(near_.front())) [[likely]]
+    return &near_.front();
+  return next_front();
+}
 
 }  // namespace sim

@@ -162,6 +162,7 @@ void Channel::work_off(Transmission& transmission, Phase phase) {
   const auto p = static_cast<std::size_t>(phase);
   auto& series = transmission.series[p];
   const auto& receivers = transmission.receivers;
+  if (radios_.size() > kFewRadios) prefetch_first(receivers, series.next);
   do {
     prefetch(receivers, series.next);
     act(transmission, phase, series.next);
@@ -175,6 +176,18 @@ void Channel::work_off(Transmission& transmission, Phase phase) {
   } while (events_.go_on(transmission.due(phase, receivers[series.next]),
                          receivers[series.next].places[p]));
   schedule(transmission, phase);
+}
+
+/// Prefetches what the first of a series would wait for, one line after the other.
+void Channel::prefetch_first(const std::vector<Transmission::Receiver>& receivers,
+                             std::size_t first) const {
+  receivers[first].radio->prefetch();
+  __builtin_prefetch(&faint_[receivers[first].index]);
+  if (first + 1 < receivers.size()) {
+    receivers[first + 1].radio->prefetch();
+    __builtin_prefetch(&faint_[receivers[first + 1].index]);
+  }
+  receivers[first].radio->prefetch_listener();
 }
 
 /// Prefetches for the receivers ahead: first the radio, then the memory to which it points.

@@ -52,6 +52,8 @@ class Channel {
   void start_asked(StationIndex receiver);
   void add_faint(const Ppdu& ppdu, StationIndex from, std::span<const FaintLink> links);
   void prefetch(const std::vector<Transmission::Receiver>& receivers, std::size_t now) const;
+  void prefetch_first(const std::vector<Transmission::Receiver>& receivers,
+                      std::size_t first) const;
   void start_everywhere(Transmission& transmission);
   void start_one_by_one(Transmission& transmission);
   void finish(Transmission& transmission);

@@ -134,6 +134,7 @@ inline bool FaintSignals::add(StationIndex from, hal::Time sent, hal::Duration d
 
 inline void FaintSignals::append(StationIndex from, hal::Time sent, hal::Duration delay,
                                  hal::Duration airtime, double power) {
+  if (signals_.size() == signals_.capacity()) __builtin_unreachable();  // else not in line
   // In place: a copy of members just written one by one would wait for them.
   FaintSignal& signal = signals_.emplace_back();
   signal.start = sent + delay;
