@@ -16,8 +16,6 @@
 namespace gateway::exchange {
 namespace {
 
-constexpr hal::Duration kPatience = std::chrono::seconds{30};
-
 constexpr std::size_t kHellos = 100'000;
 
 /// Controllers that come and go.

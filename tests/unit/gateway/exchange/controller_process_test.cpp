@@ -14,7 +14,6 @@ namespace {
 using hal::node::exchange::Start;
 using hal::node::exchange::Step;
 using hal::node::exchange::Stop;
-constexpr hal::Duration kPatience = std::chrono::seconds{30};
 
 /// Controllers in a thread of this process.
 class Controllers {

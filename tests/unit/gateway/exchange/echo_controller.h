@@ -12,6 +12,9 @@
 #include "hal/node/exchange/session.h"
 #include "hal/node/exchange/step.h"
 
+/// Long: only a defect lets a test wait for it.
+inline constexpr hal::Duration kPatience = std::chrono::seconds{30};
+
 /// A mote's controller that names each of its callbacks as a state.
 class EchoMote : public hal::Controller {
  public:

@@ -15,8 +15,6 @@ namespace {
 using hal::node::exchange::ControlDue;
 using hal::node::exchange::Start;
 using hal::node::exchange::Stop;
-/// Long: only a defect lets a test wait for it.
-constexpr hal::Duration kPatience = std::chrono::seconds{30};
 
 /// A server with one agent, and a process that was granted it.
 class ExchangeWithProcess : public testing::Test {

@@ -22,7 +22,6 @@ namespace {
 using hal::node::exchange::ControlDue;
 using hal::node::exchange::Start;
 using hal::node::exchange::Stop;
-constexpr hal::Duration kPatience = std::chrono::seconds{30};
 
 std::string network_of(std::int64_t pid) {
   return std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/ns/net").string();

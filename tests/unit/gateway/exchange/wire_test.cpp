@@ -19,7 +19,6 @@ using hal::node::exchange::Cause;
 using hal::node::exchange::ControlDue;
 using hal::node::exchange::Start;
 using hal::node::exchange::Stop;
-constexpr hal::Duration kPatience = std::chrono::seconds{30};
 constexpr hal::Duration kReplyTimeout = std::chrono::milliseconds{300};
 
 /// A server and a client of this process, linked up.

@@ -18,7 +18,7 @@ using tests::Scripted;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Lets a robot do one thing in its first step and gives the actions that leave it.
-Actions actions_of(std::function<void(hal::Robot&)> step) {
+Actions actions_of_robot(std::function<void(hal::Robot&)> step) {
   Scripted::next() = {.step = std::move(step)};
   tests::OneAgent agent(Scripted::kind(), tests::robot_session());
   return agent.control();
@@ -26,7 +26,7 @@ Actions actions_of(std::function<void(hal::Robot&)> step) {
 
 TEST(SetBodyVelocity, LeavesACommandWithinTheLimitsAsItIs) {
   const hal::Twist2 twist{.vx = 0.5, .vy = -0.2, .omega = 0.3};
-  const Actions actions = actions_of([&](hal::Robot& robot) {
+  const Actions actions = actions_of_robot([&](hal::Robot& robot) {
     const auto drive = robot.set_body_velocity(twist);
     ASSERT_TRUE(drive.has_value());
     EXPECT_EQ(drive->applied, twist);
@@ -52,7 +52,7 @@ TEST(Body, IsThatOfTheSession) {
 TEST(SetBodyVelocity, ScalesAllThreeByOneFactorSoThatTheFastestWheelIsAtItsLimit) {
   const hal::Twist2 twist{.vx = 0.1, .vy = -2 * 0.9424, .omega = 1.0};
   const double factor = 23.56 / (2 * 0.9424 / 0.04 + 0.132 / 0.04);
-  const Actions actions = actions_of([&](hal::Robot& robot) {
+  const Actions actions = actions_of_robot([&](hal::Robot& robot) {
     const auto drive = robot.set_body_velocity(twist);
     ASSERT_TRUE(drive.has_value());
     EXPECT_TRUE(drive->saturated);
@@ -66,7 +66,7 @@ TEST(SetBodyVelocity, ScalesAllThreeByOneFactorSoThatTheFastestWheelIsAtItsLimit
 }
 
 TEST(SetBodyVelocity, RefusesWhatIsNotFiniteAndLogsAgentFieldAndValue) {
-  const Actions actions = actions_of([](hal::Robot& robot) {
+  const Actions actions = actions_of_robot([](hal::Robot& robot) {
     const auto nan = robot.set_body_velocity({.vx = 0, .vy = kNan, .omega = 0});
     ASSERT_FALSE(nan.has_value());
     EXPECT_EQ(nan.error().code, Errc::kInvalidArgument);
@@ -93,14 +93,14 @@ TEST(SetBodyVelocity, IsNotAvailableWithoutWheels) {
 
 TEST(SetWheelSpeeds, PassesSpeedsUpToTheLimit) {
   const std::vector<double> speeds{23.56, -23.56, 0};
-  const Actions actions = actions_of(
+  const Actions actions = actions_of_robot(
       [&](hal::Robot& robot) { EXPECT_TRUE(robot.set_wheel_speeds(speeds).has_value()); });
   ASSERT_EQ(actions.size(), 1U);
   EXPECT_EQ(std::get<DriveWheels>(actions[0].what).speeds, speeds);
 }
 
 TEST(SetWheelSpeeds, RefusesTooManyTooFastAndNanNamingTheWheel) {
-  const Actions actions = actions_of([](hal::Robot& robot) {
+  const Actions actions = actions_of_robot([](hal::Robot& robot) {
     EXPECT_FALSE(robot.set_wheel_speeds(std::vector<double>{1, 1}).has_value());
     EXPECT_FALSE(robot.set_wheel_speeds(std::vector<double>{1, -23.6, 1}).has_value());
     EXPECT_FALSE(robot.set_wheel_speeds(std::vector<double>{1, 1, kNan}).has_value());

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "tests/unit/programs/preload/recorder/recorder.h"
+#include "tests/unit/programs/preload/times.h"
 
 // The factor is 0.25, from main.cpp: a program's 1 s is 4 s of the kernel. So are the origins.
 namespace programs::preload {
@@ -32,16 +33,10 @@ namespace {
 using Numbers = std::vector<std::int64_t>;
 
 constexpr std::int64_t kMillisecond = 1'000'000;
-constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kMonotonic = 1000 * kSecond;
 constexpr std::int64_t kRealtime = 2000 * kSecond;
 constexpr std::int64_t kRaw = 3000 * kSecond;
 constexpr std::int64_t kBoot = 4000 * kSecond;
-
-timespec at(std::int64_t ns) { return {ns / kSecond, ns % kSecond}; }
-timeval at_us(std::int64_t ns) { return {ns / kSecond, ns % kSecond / 1000}; }
-std::int64_t ns(const timespec& time) { return time.tv_sec * kSecond + time.tv_nsec; }
-std::int64_t ns(const timeval& time) { return time.tv_sec * kSecond + time.tv_usec * 1000; }
 
 /// Three seconds of the program after the origin of a clock, and what the kernel is to be given.
 const timespec kUntilRealtime = at(kRealtime + 3 * kSecond);

@@ -17,16 +17,14 @@
 #include <functional>
 #include <string>
 
+#include "tests/unit/programs/preload/times.h"
+
 // The factor is 0.25, from main.cpp: a program's 1 s is 4 s of the kernel. CLOCK_REALTIME's origin
 // is at 2000 s.
 namespace programs::preload {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kOrigin = 2000 * kSecond;
-
-std::int64_t ns(const timespec& time) { return time.tv_sec * kSecond + time.tv_nsec; }
-timespec at(std::int64_t time) { return {time / kSecond, time % kSecond}; }
 
 class FileTimes : public testing::Test {
  protected:

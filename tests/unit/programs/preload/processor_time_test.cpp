@@ -9,13 +9,13 @@
 #include <ctime>
 
 #include "tests/unit/programs/preload/recorder/recorder.h"
+#include "tests/unit/programs/preload/times.h"
 
 // The factor is 0.25, from main.cpp: a program's 1 s is 4 s of the kernel. CLOCK_MONOTONIC's origin
 // is at 1000 s, CLOCK_BOOTTIME's at 4000 s.
 namespace programs::preload {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr tests::recorder::Reaction kEightSeconds{0, 0, 8 * kSecond, 0};
 
 void expect_seconds(const timeval& time, std::int64_t seconds) {

@@ -19,7 +19,7 @@ using hal::AgentId;
 using hal::Time;
 using hal::Verdict;
 
-hal::Message message(hal::MessageId id, AgentId to = AgentId{2}) {
+hal::Message one_message(hal::MessageId id, AgentId to = AgentId{2}) {
   return {.source = AgentId{1}, .destination = to, .id = id, .topic = "help", .payload = {1, 2}};
 }
 
@@ -196,10 +196,10 @@ TEST_F(RecorderTest, CommitsAfterManyRows) {
 }
 
 TEST_F(RecorderTest, FollowsAMessageToItsDelivery) {
-  recorder->on_message_sent(Time{1ms}, message(1));
+  recorder->on_message_sent(Time{1ms}, one_message(1));
   recorder->on_fate(Time{2ms}, AgentId{1}, 1, hal::Fate::kHandedOver);
   recorder->on_message_end(Time{4ms}, AgentId{2}, AgentId{1}, 1, Verdict::kDelivered);
-  recorder->on_message_delivered(Time{4ms}, AgentId{2}, message(1), 2);
+  recorder->on_message_delivered(Time{4ms}, AgentId{2}, one_message(1), 2);
   EXPECT_EQ(asked("SELECT destination || topic || bytes || '/' || sent_ns FROM messages"),
             "2help2/1000000");
   EXPECT_EQ(asked("SELECT fate || fate_ns FROM messages"), "handed over2000000");
@@ -209,15 +209,15 @@ TEST_F(RecorderTest, FollowsAMessageToItsDelivery) {
 }
 
 TEST_F(RecorderTest, DeliveryWinsOverTheEndOfAnotherCopy) {
-  recorder->on_message_sent(Time{}, message(1));
-  recorder->on_message_delivered(Time{1ms}, AgentId{2}, message(1), 1);
+  recorder->on_message_sent(Time{}, one_message(1));
+  recorder->on_message_delivered(Time{1ms}, AgentId{2}, one_message(1), 1);
   recorder->on_message_end(Time{2ms}, AgentId{3}, AgentId{1}, 1, Verdict::kRetryLimit);
   EXPECT_EQ(asked("SELECT verdict FROM messages"), "delivered");
 }
 
 TEST_F(RecorderTest, AMessageUnderWayHasNoVerdict) {
-  recorder->on_message_sent(Time{}, message(1));
-  recorder->on_message_sent(Time{}, message(2));
+  recorder->on_message_sent(Time{}, one_message(1));
+  recorder->on_message_sent(Time{}, one_message(2));
   recorder->on_message_end(Time{1s}, AgentId{1}, AgentId{1}, 2, Verdict::kNoRoute);
   EXPECT_EQ(asked("SELECT verdict FROM messages WHERE id = 1"), "null");
   EXPECT_EQ(asked("SELECT fate FROM messages WHERE id = 1"), "null");

@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 using hal::AgentId;
 
-constexpr AgentId kA{1}, kB{2};
+constexpr AgentId kOne{1}, kTwo{2};
 
 template <class What>
 Condition condition_of(What what) {
@@ -50,40 +50,40 @@ class Watching : public testing::Test {
   }
 
   std::map<AgentId, hal::Vec2> places_;
-  std::map<AgentId, double> charges_{{kA, 0.9}, {kB, 0.9}};
+  std::map<AgentId, double> charges_{{kOne, 0.9}, {kTwo, 0.9}};
   ConditionWatch watch_{{.events = events_,
                          .position = [this](AgentId agent) { return place_of(agent); },
                          .charge = [this](AgentId agent) { return std::optional(charges_[agent]); },
                          .look_every = 10ms}};
-  const Subjects any_{Subjects::Quantifier::kAny, "*", {kA, kB}};
-  const Subjects all_{Subjects::Quantifier::kAll, "*", {kA, kB}};
+  const Subjects any_{Subjects::Quantifier::kAny, "*", {kOne, kTwo}};
+  const Subjects all_{Subjects::Quantifier::kAll, "*", {kOne, kTwo}};
   int begun_ = 0;
 };
 
 TEST_F(Watching, AStateOfAnyIsSeenAtOnceAlsoIfItLastsNoTime) {
   const auto number = watch(any_in("ARRIVED"));
-  enter(kB, "ARRIVED");
+  enter(kTwo, "ARRIVED");
   EXPECT_TRUE(watch_.holds(number));
-  enter(kB, "IDLE");
+  enter(kTwo, "IDLE");
   EXPECT_FALSE(watch_.holds(number));
   EXPECT_TRUE(watch_.has_held(number));
-  enter(kA, "ARRIVED");
-  enter(kB, "ARRIVED");  // it holds already
+  enter(kOne, "ARRIVED");
+  enter(kTwo, "ARRIVED");  // it holds already
   EXPECT_EQ(begun_, 2);
 }
 
 TEST_F(Watching, WhoIsRemovedIsNowhereInNoStateAndWithoutCharge) {
-  places_ = {{kA, {0, 0}}, {kB, {3, 0}}};
+  places_ = {{kOne, {0, 0}}, {kTwo, {3, 0}}};
   const Area everywhere{Area::Circle{.centre = {}, .radius = 1e9}};
   const CountOf one_done{.who = any_, .state = "DONE", .topic = {}, .at_least = 1};
-  const std::vector numbers{watch_.add(condition_of(ApartBy{.a = kA, .b = kB, .above = 1})),
+  const std::vector numbers{watch_.add(condition_of(ApartBy{.a = kOne, .b = kTwo, .above = 1})),
                             watch_.add(condition_of(InArea{all_, everywhere})),
                             watch_.add(condition_of(BatteryLevel{.who = all_, .above = 0.5})),
                             watch_.add(condition_of(one_done)), watch(any_in("DONE"))};
-  enter(kB, "DONE");
+  enter(kTwo, "DONE");
   for (const auto number : numbers) EXPECT_TRUE(watch_.holds(number)) << number;
-  places_.erase(kB);
-  watch_.on_removed(kB);
+  places_.erase(kTwo);
+  watch_.on_removed(kTwo);
   for (const auto number : numbers) EXPECT_FALSE(watch_.holds(number)) << number;
 }
 
@@ -106,9 +106,9 @@ TEST_F(Watching, TheLastInstantCountsThoughNothingBeginsWithIt) {
 
 TEST_F(Watching, AStateOfAllNeedsAll) {
   const auto number = watch(all_in("DONE"));
-  enter(kA, "DONE");
+  enter(kOne, "DONE");
   EXPECT_FALSE(watch_.holds(number));
-  enter(kB, "DONE");
+  enter(kTwo, "DONE");
   EXPECT_TRUE(watch_.holds(number));
 }
 
@@ -125,23 +125,23 @@ TEST_F(Watching, WhatMustHoldForAWhileBeginsThen) {
   Condition condition = any_in("WAIT");
   condition.hold = 5s;
   const auto number = watch(condition);
-  enter(kA, "WAIT");
+  enter(kOne, "WAIT");
   run_until(4s);
-  enter(kA, "IDLE");
-  enter(kA, "WAIT");  // from the beginning
+  enter(kOne, "IDLE");
+  enter(kOne, "WAIT");  // from the beginning
   run_until(8999ms);
   EXPECT_FALSE(watch_.has_held(number));
   run_until(9s);
   EXPECT_TRUE(watch_.holds(number));
-  enter(kA, "IDLE");
+  enter(kOne, "IDLE");
   EXPECT_FALSE(watch_.holds(number));
 }
 
 TEST_F(Watching, DistancesAreLookedAtOncePerStep) {
-  places_ = {{kA, {0, 0}}, {kB, {30, 40}}};
-  const auto near = watch(condition_of(ApartBy{.a = kA, .b = kB, .below = 50}));
+  places_ = {{kOne, {0, 0}}, {kTwo, {30, 40}}};
+  const auto near = watch(condition_of(ApartBy{.a = kOne, .b = kTwo, .below = 50}));
   EXPECT_FALSE(watch_.holds(near));
-  places_[kB] = {30, 39};
+  places_[kTwo] = {30, 39};
   run_until(9ms);
   EXPECT_FALSE(watch_.holds(near));
   run_until(10ms);
@@ -149,14 +149,14 @@ TEST_F(Watching, DistancesAreLookedAtOncePerStep) {
 }
 
 TEST_F(Watching, ADistanceMayBeABandOrALowerLimit) {
-  places_ = {{kA, {0, 0}}, {kB, {7, 0}}};
+  places_ = {{kOne, {0, 0}}, {kTwo, {7, 0}}};
   EXPECT_TRUE(
-      watch_.holds(watch(condition_of(ApartBy{.a = kA, .b = kB, .above = 5, .below = 10}))));
-  EXPECT_FALSE(watch_.holds(watch(condition_of(ApartBy{.a = kA, .b = kB, .above = 7}))));
+      watch_.holds(watch(condition_of(ApartBy{.a = kOne, .b = kTwo, .above = 5, .below = 10}))));
+  EXPECT_FALSE(watch_.holds(watch(condition_of(ApartBy{.a = kOne, .b = kTwo, .above = 7}))));
 }
 
 TEST_F(Watching, AreasAreCirclesAndBoxes) {
-  places_ = {{kA, {3, 4}}, {kB, {100, 0}}};
+  places_ = {{kOne, {3, 4}}, {kTwo, {100, 0}}};
   EXPECT_TRUE(watch_.holds(watch(condition_of(InArea{any_, {Area::Circle{{0, 0}, 5}}}))));
   EXPECT_FALSE(watch_.holds(watch(condition_of(InArea{any_, {Area::Circle{{0, 0}, 4.99}}}))));
   EXPECT_FALSE(watch_.holds(watch(condition_of(InArea{all_, {Area::Box{{0, 0}, {10, 10}}}}))));
@@ -165,12 +165,12 @@ TEST_F(Watching, AreasAreCirclesAndBoxes) {
 
 TEST_F(Watching, ABatteryIsSeenAtItsAgentsControlInstants) {
   const auto number = watch(condition_of(BatteryLevel{.who = any_, .below = 0.5}));
-  charges_[kB] = 0.4;
+  charges_[kTwo] = 0.4;
   run_until(1s);
   EXPECT_FALSE(watch_.holds(number));
-  watch_.on_cycle(events_.now(), kA);
+  watch_.on_cycle(events_.now(), kOne);
   EXPECT_FALSE(watch_.holds(number));
-  watch_.on_cycle(events_.now(), kB);
+  watch_.on_cycle(events_.now(), kTwo);
   EXPECT_TRUE(watch_.holds(number));
 }
 
@@ -180,9 +180,9 @@ TEST_F(Watching, AgentsInAStateAreCounted) {
   const auto most =
       watch(condition_of(CountOf{.who = any_, .state = "DONE", .topic = {}, .at_most = 1}));
   EXPECT_TRUE(watch_.holds(most));
-  enter(kA, "DONE");
+  enter(kOne, "DONE");
   EXPECT_FALSE(watch_.holds(two));
-  enter(kB, "DONE");
+  enter(kTwo, "DONE");
   EXPECT_TRUE(watch_.holds(two));
   EXPECT_FALSE(watch_.holds(most));
 }
@@ -190,12 +190,12 @@ TEST_F(Watching, AgentsInAStateAreCounted) {
 TEST_F(Watching, MessagesOfAClassAreCountedOverAllReceivers) {
   const auto number =
       watch(condition_of(CountOf{.who = any_, .state = {}, .topic = "t", .at_least = 3}));
-  receive(kA, "t");
-  receive(kB, "t");
-  receive(kB, "other");
+  receive(kOne, "t");
+  receive(kTwo, "t");
+  receive(kTwo, "other");
   receive(AgentId{3}, "t");
   EXPECT_FALSE(watch_.holds(number));
-  receive(kA, "t");
+  receive(kOne, "t");
   EXPECT_TRUE(watch_.holds(number));
 }
 
@@ -205,20 +205,21 @@ TEST_F(Watching, ConditionsAreCombined) {
   const auto either = watch(condition_of(Combination{Kind::kAny, {any_in("A"), any_in("B")}}));
   const auto none = watch(condition_of(Combination{Kind::kNone, {any_in("A")}}));
   EXPECT_TRUE(watch_.holds(none));
-  enter(kA, "A");
+  enter(kOne, "A");
   EXPECT_FALSE(watch_.holds(both));
   EXPECT_TRUE(watch_.holds(either));
   EXPECT_FALSE(watch_.holds(none));
-  enter(kB, "B");
+  enter(kTwo, "B");
   EXPECT_TRUE(watch_.holds(both));
 }
 
 TEST(ConditionText, SaysWhatWasAsked) {
-  const std::vector<std::pair<AgentId, std::string>> names{{kA, "a"}, {kB, "b"}};
-  const Subjects any{Subjects::Quantifier::kAny, "r*", {kA, kB}};
-  Condition condition = condition_of(Combination{
-      Combination::Kind::kAll,
-      {condition_of(InState{any, "DONE"}), condition_of(ApartBy{.a = kA, .b = kB, .below = 5})}});
+  const std::vector<std::pair<AgentId, std::string>> names{{kOne, "a"}, {kTwo, "b"}};
+  const Subjects any{Subjects::Quantifier::kAny, "r*", {kOne, kTwo}};
+  Condition condition =
+      condition_of(Combination{Combination::Kind::kAll,
+                               {condition_of(InState{any, "DONE"}),
+                                condition_of(ApartBy{.a = kOne, .b = kTwo, .below = 5})}});
   condition.hold = 2s;
   EXPECT_EQ(to_text(condition, names),
             "all of (any of 'r*' in state DONE; distance of a and b below 5 m) for 2 s");

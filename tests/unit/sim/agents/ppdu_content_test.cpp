@@ -36,12 +36,12 @@ constexpr ModeId kHt{ModulationClass::kHt, 3, 1, 20, 800ns};
 
 /// A frame with everything that a PPDU of the newer standards can have; BlockAcks are not data, but
 /// each field counts by itself.
-struct Sent {
+struct SentWhole {
   Frame frame;
   BlockAckFields block_ack{.tid = 5, .start = 7, .length = 64};
   std::vector<AmsduPart> amsdu;
 
-  Sent() {
+  SentWhole() {
     frame.transmitter = AgentId{1};
     frame.receiver = AgentId{2};
     frame.qos = true;
@@ -65,61 +65,63 @@ struct Sent {
   }
 };
 
-void use_mode(Sent& sent, const ModeId& id) { sent.frame.mode = &mode_of<sim::radio::HtMode>(id); }
+void use_mode(SentWhole& sent, const ModeId& id) {
+  sent.frame.mode = &mode_of<sim::radio::HtMode>(id);
+}
 
-using Mutation = std::function<void(Sent&)>;
-const std::vector<Mutation> kMutations = {
-    [](Sent& s) { s.frame.qos = false; },
-    [](Sent& s) { s.frame.priority = 6; },
-    [](Sent& s) { s.frame.ampdu = 5; },
-    [](Sent& s) { s.frame.is_last_of_ampdu = true; },
-    [](Sent& s) { s.block_ack.tid = 6; },
-    [](Sent& s) { s.block_ack.start = 8; },
-    [](Sent& s) { s.block_ack.length = 256; },
-    [](Sent& s) { s.block_ack.received.flip(3); },
-    [](Sent& s) { s.block_ack.received.flip(63); },
-    [](Sent& s) { s.amsdu.pop_back(); },
-    [](Sent& s) { std::swap(s.amsdu[0], s.amsdu[1]); },
-    [](Sent& s) { s.amsdu[1].source = AgentId{3}; },
-    [](Sent& s) { s.amsdu[1].destination = AgentId{3}; },
-    [](Sent& s) { s.amsdu[1].ethertype = 0x86dd; },
-    [](Sent& s) { s.amsdu[1].payload = bytes(8); },
+using FrameMutation = std::function<void(SentWhole&)>;
+const std::vector<FrameMutation> kMutations = {
+    [](SentWhole& s) { s.frame.qos = false; },
+    [](SentWhole& s) { s.frame.priority = 6; },
+    [](SentWhole& s) { s.frame.ampdu = 5; },
+    [](SentWhole& s) { s.frame.is_last_of_ampdu = true; },
+    [](SentWhole& s) { s.block_ack.tid = 6; },
+    [](SentWhole& s) { s.block_ack.start = 8; },
+    [](SentWhole& s) { s.block_ack.length = 256; },
+    [](SentWhole& s) { s.block_ack.received.flip(3); },
+    [](SentWhole& s) { s.block_ack.received.flip(63); },
+    [](SentWhole& s) { s.amsdu.pop_back(); },
+    [](SentWhole& s) { std::swap(s.amsdu[0], s.amsdu[1]); },
+    [](SentWhole& s) { s.amsdu[1].source = AgentId{3}; },
+    [](SentWhole& s) { s.amsdu[1].destination = AgentId{3}; },
+    [](SentWhole& s) { s.amsdu[1].ethertype = 0x86dd; },
+    [](SentWhole& s) { s.amsdu[1].payload = bytes(8); },
     // The same rate in another mode.
-    [](Sent& s) { s.frame.mode = nullptr; },
-    [](Sent& s) {
+    [](SentWhole& s) { s.frame.mode = nullptr; },
+    [](SentWhole& s) {
       use_mode(s, {ModulationClass::kHt, 2, 1, 20, 800ns});
     },
-    [](Sent& s) {
+    [](SentWhole& s) {
       use_mode(s, {ModulationClass::kHt, 3, 2, 20, 800ns});
     },
-    [](Sent& s) {
+    [](SentWhole& s) {
       use_mode(s, {ModulationClass::kHt, 3, 1, 40, 800ns});
     },
-    [](Sent& s) {
+    [](SentWhole& s) {
       use_mode(s, {ModulationClass::kHt, 3, 1, 20, 400ns});
     },
-    [](Sent& s) {
+    [](SentWhole& s) {
       s.frame.mode = &mode_of<sim::radio::VhtMode>({ModulationClass::kVht, 3, 1, 20, 800ns});
     },
 };
 
-std::uint64_t digest_of(const Sent& sent) {
+std::uint64_t digest_of(const SentWhole& sent) {
   sim::agents::FrameDigest digest;
   digest.on_frame_start(hal::Time{1s}, sent.whole());
   return digest.value();
 }
 
-std::uint64_t fingerprint_of(const Sent& sent) {
+std::uint64_t fingerprint_of(const SentWhole& sent) {
   sim::agents::FingerprintFeed feed;
   feed.on_frame_start(hal::Time{1s}, sent.whole());
   return feed.fingerprint().total();
 }
 
-void expect_all_differ(std::uint64_t (*hash_of)(const Sent&)) {
+void expect_all_differ(std::uint64_t (*hash_of)(const SentWhole&)) {
   std::set<std::uint64_t> hashes{hash_of({})};
   EXPECT_EQ(hash_of({}), *hashes.begin());
   for (std::size_t i = 0; i < kMutations.size(); ++i) {
-    Sent mutated;
+    SentWhole mutated;
     kMutations[i](mutated);
     EXPECT_TRUE(hashes.insert(hash_of(mutated)).second) << "mutation " << i;
   }

@@ -9,7 +9,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-const hal::node::devices::MoteDescription kMote{.model = "mote", .size = {0.1, 0.1, 0.1}};
+const hal::node::devices::MoteDescription kCube{.model = "mote", .size = {0.1, 0.1, 0.1}};
 
 /// Motes at poses, by address from 1, all of a group "motes".
 Scenario motes_at(const std::vector<hal::Pose2>& poses) {
@@ -23,7 +23,7 @@ Scenario motes_at(const std::vector<hal::Pose2>& poses) {
     scenario.simulation.agents.push_back({.id = group.agents.back(),
                                           .name = "m" + std::to_string(number),
                                           .pose = pose,
-                                          .body = kMote,
+                                          .body = kCube,
                                           .program = {},
                                           .parameters = {}});
   }

@@ -6,7 +6,7 @@
 namespace hal::node::routing::test {
 namespace {
 
-const RoutingConfig kNoJitter{.jitter_max = Duration::zero()};
+const RoutingConfig kAtOnce{.jitter_max = Duration::zero()};
 
 /// 1 - {2, 3} - 4: two ways from 1 to 4.
 void connect_diamond(Network& network) {
@@ -14,7 +14,7 @@ void connect_diamond(Network& network) {
 }
 
 TEST(Forwarding, ARelayPassesOnInTheInstantOfReception) {
-  Network network(5, kNoJitter);
+  Network network(5, kAtOnce);
   connect_chain(network);
   network.send(1, 5);
   network.run(1s);
@@ -59,7 +59,7 @@ TEST(Forwarding, IsHandedOverWhenTheFirstHopAcknowledges) {
 // From 1, both arms are two hops long: each should carry half of 400 messages. Binomial standard
 // deviation sqrt(400 / 4) = 10; four of them.
 TEST(Forwarding, SpreadsOverEqualRoutes) {
-  Network network(4, kNoJitter);
+  Network network(4, kAtOnce);
   connect_diamond(network);
   network.send(1, 4);
   network.run(1s);
@@ -72,7 +72,7 @@ TEST(Forwarding, SpreadsOverEqualRoutes) {
 }
 
 TEST(Forwarding, ANeighbourThatDoesNotAnswerLosesAllItsRoutes) {
-  Network network(4, kNoJitter);
+  Network network(4, kAtOnce);
   connect_diamond(network);
   network.send(1, 4, "help");
   network.send(1, 4, "audio");
@@ -92,7 +92,7 @@ TEST(Forwarding, ANeighbourThatDoesNotAnswerLosesAllItsRoutes) {
 }
 
 TEST(Forwarding, SalvagesOverAnotherRoute) {
-  Network network(4, kNoJitter);
+  Network network(4, kAtOnce);
   connect_diamond(network);
   network.send(1, 4);
   network.run(1s);
@@ -107,7 +107,7 @@ TEST(Forwarding, SalvagesOverAnotherRoute) {
 }
 
 TEST(Forwarding, SalvagesByANewSearchIfNoRouteIsLeft) {
-  Network network(4, kNoJitter);
+  Network network(4, kAtOnce);
   network.connect(1, 2);
   network.connect(2, 4);
   network.send(1, 4);
@@ -122,7 +122,7 @@ TEST(Forwarding, SalvagesByANewSearchIfNoRouteIsLeft) {
 }
 
 TEST(Forwarding, ARelaySalvagesToo) {
-  Network network(5, kNoJitter);
+  Network network(5, kAtOnce);
   // 1 - 2 - {3, 4} - 5
   for (const auto& [a, b] : {std::pair{1, 2}, {2, 3}, {3, 5}}) network.connect(a, b);
   network.send(1, 5);
@@ -137,7 +137,7 @@ TEST(Forwarding, ARelaySalvagesToo) {
 }
 
 TEST(Forwarding, AMessageThatDiesAtARelayIsReportedThereAndStaysHandedOver) {
-  Network network(3, kNoJitter);
+  Network network(3, kAtOnce);
   connect_chain(network);
   network.send(1, 3);
   network.run(1s);
@@ -220,7 +220,7 @@ TEST(Forwarding, InvalidationIsLocalAndForcesANewSearch) {
 }
 
 TEST(Forwarding, ARouteThatDoesNotChangeIsNotReportedAgain) {
-  Network network(3, kNoJitter);
+  Network network(3, kAtOnce);
   connect_chain(network);
   network.send(1, 3);
   network.run(1s);
@@ -233,7 +233,7 @@ TEST(Forwarding, ARouteThatDoesNotChangeIsNotReportedAgain) {
 
 // A lost acknowledgement makes the link repeat a frame: the receiver gets it twice.
 TEST(Forwarding, FramesThatTheLinkRepeatsAreTakenOnce) {
-  Network network(3, kNoJitter);
+  Network network(3, kAtOnce);
   connect_chain(network);
   network.send(1, 3);
   network.run(1s);
@@ -252,7 +252,7 @@ TEST(Forwarding, FramesThatTheLinkRepeatsAreTakenOnce) {
 
 // Node 2 knows two ways to 5: over 3 (2 hops) and over 1 and 4 (3 hops).
 TEST(Forwarding, ARelayDoesNotSendBackWhatItGotIfThereIsAnotherWay) {
-  Network network(5, kNoJitter);
+  Network network(5, kAtOnce);
   for (const auto& [a, b] : {std::pair{2, 3}, {3, 5}, {2, 1}, {1, 4}, {4, 5}}) {
     network.connect(a, b);
   }

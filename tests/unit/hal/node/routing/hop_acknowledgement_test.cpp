@@ -10,12 +10,12 @@
 namespace hal::node::routing::test {
 namespace {
 
-const RoutingConfig kConfig{.jitter_max = Duration::zero(),
-                            .ack_timeout = 50ms,
-                            .ack_attempts = 4,
-                            .hello_period = kMaxHelloPeriod};
+const RoutingConfig kAcknowledging{.jitter_max = Duration::zero(),
+                                   .ack_timeout = 50ms,
+                                   .ack_attempts = 4,
+                                   .hello_period = kMaxHelloPeriod};
 
-Network silent_links(int nodes, RoutingConfig config = kConfig) {
+Network silent_links(int nodes, RoutingConfig config = kAcknowledging) {
   return Network(nodes, config, 1, Network::kNothing);
 }
 
@@ -212,7 +212,7 @@ TEST(HopAcknowledgement, ABurstDoesNotOverrunAShortQueueBelow) {
 }
 
 TEST(HopAcknowledgement, WhatFindsNoRoomToWaitIsQueueFull) {
-  RoutingConfig config = kConfig;
+  RoutingConfig config = kAcknowledging;
   config.buffer_limit = 10;
   Network network = silent_links(2, config);
   warm_up(network);
@@ -261,7 +261,7 @@ TEST(HopAcknowledgement, AWindowFullOfBestEffortHoldsNoVoiceBack) {
 }
 
 TEST(HopAcknowledgement, EachAccessCategoryHasItsOwnRoomForFramesThatWait) {
-  RoutingConfig config = kConfig;
+  RoutingConfig config = kAcknowledging;
   config.buffer_limit = 1;
   Network network = silent_links(2, config);
   warm_up(network);
@@ -277,7 +277,7 @@ TEST(HopAcknowledgement, EachAccessCategoryHasItsOwnRoomForFramesThatWait) {
 
 // A node with a better link answers one without: both may stand in one network.
 TEST(HopAcknowledgement, ALinkWithStatusAcknowledgesWhatIsNumberedAndNumbersNothing) {
-  Network network(2, kConfig);
+  Network network(2, kAcknowledging);
   connect_chain(network);
   const Data data{.header = {"help", id(2), id(1), 1}, .id = 1, .transmissions = 1, .payload = {}};
   network.node(1).router->on_frame({.from = id(2)}, encode_numbered(5, encode(data)));
@@ -306,7 +306,7 @@ TEST(HopAcknowledgement, ANodeThatRestartsIsHeardIfItsNumbersStartElsewhere) {
   for (const bool elsewhere : {false, true}) {
     Network network = silent_links(2);
     warm_up(network);
-    RoutingConfig second_life = kConfig;
+    RoutingConfig second_life = kAcknowledging;
     second_life.first_sequence = elsewhere ? 1'000'000 : 0;
     TestNode& node = network.node(1);
     node.router = std::make_unique<Router>(node.self, second_life, RouterStreams(2, "second life"),

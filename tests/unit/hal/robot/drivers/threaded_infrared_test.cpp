@@ -44,12 +44,12 @@ bool soon(Condition condition) {
   return condition();
 }
 
-constexpr DeviceTimes kTimes{.period = 1ms, .timeout = 1s, .stale_after = 10s};
+constexpr DeviceTimes kLooksOften{.period = 1ms, .timeout = 1s, .stale_after = 10s};
 
 TEST(ThreadedInfrared, MeasuresAgainAndAgainAndGivesTheLastReadings) {
   const platform::BootTime before = platform::BootClock::now();
   Script script;
-  const ThreadedInfrared driver(std::make_unique<ScriptedArray>(script), kTimes);
+  const ThreadedInfrared driver(std::make_unique<ScriptedArray>(script), kLooksOften);
   ASSERT_TRUE(soon([&] { return script.measurements >= 3 && driver.latest(); }));
   EXPECT_EQ(script.connections, 1);
   EXPECT_TRUE(driver.connected());
@@ -61,7 +61,7 @@ TEST(ThreadedInfrared, MeasuresAgainAndAgainAndGivesTheLastReadings) {
 TEST(ThreadedInfrared, WithoutADeviceThereIsNoReadingAndItIsLookedForAgain) {
   Script script;
   script.is_there = false;
-  const ThreadedInfrared driver(std::make_unique<ScriptedArray>(script), kTimes);
+  const ThreadedInfrared driver(std::make_unique<ScriptedArray>(script), kLooksOften);
   ASSERT_TRUE(soon([&] { return driver.trouble() == "no cable"; }));
   EXPECT_EQ(driver.latest().error().code, Errc::kNotConnected);
   script.is_there = true;
@@ -70,7 +70,7 @@ TEST(ThreadedInfrared, WithoutADeviceThereIsNoReadingAndItIsLookedForAgain) {
 
 TEST(ThreadedInfrared, AFailedMeasurementIsCountedAndTheDeviceReachedAnew) {
   Script script;
-  const ThreadedInfrared driver(std::make_unique<ScriptedArray>(script), kTimes);
+  const ThreadedInfrared driver(std::make_unique<ScriptedArray>(script), kLooksOften);
   ASSERT_TRUE(soon([&] { return driver.latest().has_value(); }));
   script.measures = false;
   ASSERT_TRUE(soon([&] { return driver.counts().bad_answers > 0; }));

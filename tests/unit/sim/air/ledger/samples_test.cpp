@@ -13,8 +13,8 @@ namespace {
 using namespace std::chrono_literals;
 using hal::AgentId;
 
-constexpr std::uint32_t kWriter = 0x00000103, kReader = 0x00000204;
-const hal::Bytes kPayload(40, 1);
+constexpr std::uint32_t kScanWriter = 0x00000103, kScanReader = 0x00000204;
+const hal::Bytes kScan(40, 1);
 
 /// Agent 1 writes a topic that 2 and 3 read; SEDP told so to everyone.
 class SamplesTest : public testing::Test {
@@ -25,9 +25,9 @@ class SamplesTest : public testing::Test {
     replay.build();
     for (const std::uint8_t one : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}})
       send(2ms * one, one, hal::kEveryone, Rtps(one).spdp());
-    send(10ms, 1, hal::kEveryone, Rtps(1).sedp(1, kWriter, "scan"));
+    send(10ms, 1, hal::kEveryone, Rtps(1).sedp(1, kScanWriter, "scan"));
     for (const std::uint8_t reader : {std::uint8_t{2}, std::uint8_t{3}})
-      send(10ms * reader, reader, hal::kEveryone, Rtps(reader).sedp(reader, kReader, "scan"));
+      send(10ms * reader, reader, hal::kEveryone, Rtps(reader).sedp(reader, kScanReader, "scan"));
   }
   void send(hal::Duration at, std::uint16_t from, AgentId to, const Rtps& message,
             std::size_t mtu = 1500) {
@@ -61,7 +61,7 @@ class SamplesTest : public testing::Test {
 TEST_F(SamplesTest, WhatIsSentToEachByItselfIsNoRepair) {
   build();
   for (const std::uint16_t to : {std::uint16_t{2}, std::uint16_t{3}})
-    send(1s + 1ms * to, 1, AgentId{to}, Rtps(1).data(kWriter, 1, kPayload));
+    send(1s + 1ms * to, 1, AgentId{to}, Rtps(1).data(kScanWriter, 1, kScan));
   replay.run(3s);
   EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
   EXPECT_EQ(sums(3), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
@@ -73,7 +73,7 @@ TEST_F(SamplesTest, WhatCameByTheSecondTryIsRepairedThereOnly) {
   build();
   turn_off(AgentId{3}, 900ms, 1100ms);
   for (const auto at : {1s, 2s, 3s})
-    send(at, 1, hal::kEveryone, Rtps(1).data(kWriter, 1, kPayload).heartbeat(kWriter, 1));
+    send(at, 1, hal::kEveryone, Rtps(1).data(kScanWriter, 1, kScan).heartbeat(kScanWriter, 1));
   replay.run(5s);
   EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 2 repairs, 0 under way");
   EXPECT_EQ(sums(3), "1 sent, 1 delivered, 0 at first, 2 repairs, 0 under way");
@@ -84,7 +84,7 @@ TEST_F(SamplesTest, WhatCameByTheSecondTryIsRepairedThereOnly) {
 
 TEST_F(SamplesTest, WhatIsAddressedWithinTheGroupIsForThatOneOnly) {
   build();
-  send(1s, 1, hal::kEveryone, Rtps(1).info_destination(3).data(kWriter, 1, kPayload));
+  send(1s, 1, hal::kEveryone, Rtps(1).info_destination(3).data(kScanWriter, 1, kScan));
   replay.run(5s);
   EXPECT_EQ(sums(2), "none");
   EXPECT_EQ(sums(3), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
@@ -94,8 +94,8 @@ TEST_F(SamplesTest, WhatIsAddressedWithinTheGroupIsForThatOneOnly) {
 TEST_F(SamplesTest, WhatIsLostHasTheVerdictOfItsLastFrame) {
   build();
   turn_off(AgentId{2}, 900ms, 1100ms);
-  send(1s, 1, AgentId{2}, Rtps(1).data(kWriter, 1, kPayload));
-  send(15s, 1, AgentId{2}, Rtps(1).data(kWriter, 2, kPayload));
+  send(1s, 1, AgentId{2}, Rtps(1).data(kScanWriter, 1, kScan));
+  send(15s, 1, AgentId{2}, Rtps(1).data(kScanWriter, 2, kScan));
   replay.run(20s);
   EXPECT_EQ(sums(2), "2 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
   EXPECT_EQ(replay.ask("SELECT verdict || count FROM sample_losses"), "radio off1");
@@ -107,8 +107,8 @@ TEST_F(SamplesTest, WhatFindsTheQueueFullIsLostToThat) {
   radio::dcf_of(replay.config.radio)->contention.queue_limit = 2;
   build();
   for (std::uint32_t i = 1; i <= 20; ++i)
-    send(1s, 1, AgentId{2}, Rtps(1).data(kWriter, i, kPayload));
-  send(15s, 1, AgentId{2}, Rtps(1).data(kWriter, 21, kPayload));
+    send(1s, 1, AgentId{2}, Rtps(1).data(kScanWriter, i, kScan));
+  send(15s, 1, AgentId{2}, Rtps(1).data(kScanWriter, 21, kScan));
   replay.run(20s);
   EXPECT_EQ(replay.ask("SELECT GROUP_CONCAT(verdict) FROM sample_losses"), "queue full");
   EXPECT_EQ(replay.ask("SELECT samples - delivered FROM sample_sums"),
@@ -121,8 +121,8 @@ TEST_F(SamplesTest, OnlyMatchedReadersCount) {
   build();
   send(100ms, 2, hal::kEveryone, Rtps(2).sedp(2, 0x00000304, "other"));
   send(200ms, 1, hal::kEveryone, Rtps(1).sedp(1, 0x00000503, "other", false));
-  for (const std::uint32_t writer : {kWriter, 0x00000503U})
-    send(1s, 1, hal::kEveryone, Rtps(1).data(writer, 1, kPayload));
+  for (const std::uint32_t writer : {kScanWriter, 0x00000503U})
+    send(1s, 1, hal::kEveryone, Rtps(1).data(writer, 1, kScan));
   replay.run(5s);
   EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
   EXPECT_EQ(sums(3), "1 sent, 0 delivered, 0 at first, 0 repairs, 1 under way");
@@ -132,11 +132,11 @@ TEST_F(SamplesTest, OnlyMatchedReadersCount) {
 TEST_F(SamplesTest, ReadersAreMatchedOnceTheirParticipantsKnowEachOther) {
   turn_off(AgentId{3}, 0ms, 5ms);
   build();
-  send(1s, 1, hal::kEveryone, Rtps(1).data(kWriter, 1, kPayload));
+  send(1s, 1, hal::kEveryone, Rtps(1).data(kScanWriter, 1, kScan));
   send(2s, 1, hal::kEveryone, Rtps(1).spdp());
-  send(3s, 1, hal::kEveryone, Rtps(1).data(kWriter, 2, kPayload));
-  send(4s, 1, hal::kEveryone, Rtps(1).sedp(1, kWriter, "scan"));
-  send(5s, 1, hal::kEveryone, Rtps(1).data(kWriter, 3, kPayload));
+  send(3s, 1, hal::kEveryone, Rtps(1).data(kScanWriter, 2, kScan));
+  send(4s, 1, hal::kEveryone, Rtps(1).sedp(1, kScanWriter, "scan"));
+  send(5s, 1, hal::kEveryone, Rtps(1).data(kScanWriter, 3, kScan));
   replay.run(6s);
   EXPECT_EQ(sums(2), "3 sent, 3 delivered, 3 at first, 0 repairs, 0 under way");
   EXPECT_EQ(sums(3), "3 sent, 1 delivered, 1 at first, 0 repairs, 2 under way");
@@ -146,9 +146,9 @@ TEST_F(SamplesTest, ReadersAreMatchedOnceTheirParticipantsKnowEachOther) {
 TEST_F(SamplesTest, ADatagramWithoutOneFragmentIsNone) {
   radio::dcf_of(replay.config.radio)->contention.queue_limit = 200;
   build();
-  send(1s, 1, hal::kEveryone, Rtps(1).data(kWriter, 1, hal::Bytes(40'000, 1)), 576);
+  send(1s, 1, hal::kEveryone, Rtps(1).data(kScanWriter, 1, hal::Bytes(40'000, 1)), 576);
   turn_off(AgentId{3}, 1020ms, 1020100us);
-  send(15s, 1, hal::kEveryone, Rtps(1).data(kWriter, 2, kPayload));
+  send(15s, 1, hal::kEveryone, Rtps(1).data(kScanWriter, 2, kScan));
   replay.run(20s);
   EXPECT_EQ(sums(2), "2 sent, 2 delivered, 2 at first, 0 repairs, 0 under way");
   EXPECT_EQ(sums(3), "2 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
@@ -161,9 +161,9 @@ TEST_F(SamplesTest, ADatagramWithoutOneFragmentIsNone) {
 
 TEST_F(SamplesTest, FragmentsAreRepairedOneByOne) {
   build();
-  send(1s, 1, AgentId{2}, Rtps(1).data_frag(kWriter, 1, 1, 3).data_frag(kWriter, 1, 3, 3));
-  send(1100ms, 1, AgentId{2}, Rtps(1).data_frag(kWriter, 1, 2, 3));
-  send(1200ms, 1, AgentId{2}, Rtps(1).data_frag(kWriter, 1, 3, 3));
+  send(1s, 1, AgentId{2}, Rtps(1).data_frag(kScanWriter, 1, 1, 3).data_frag(kScanWriter, 1, 3, 3));
+  send(1100ms, 1, AgentId{2}, Rtps(1).data_frag(kScanWriter, 1, 2, 3));
+  send(1200ms, 1, AgentId{2}, Rtps(1).data_frag(kScanWriter, 1, 3, 3));
   replay.run(20s);
   EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 1 repairs, 0 under way");
   EXPECT_EQ(sums(3), "none");
@@ -176,7 +176,7 @@ class HostileSamplesTest : public testing::Test {
  protected:
   void read_by(std::uint16_t agents) {
     for (std::uint16_t agent = 1; agent <= 1 + agents; ++agent) {
-      hal::rtps::Guid guid{{}, {agent == 1 ? kWriter : kReader}};
+      hal::rtps::Guid guid{{}, {agent == 1 ? kScanWriter : kScanReader}};
       guid.prefix.octets.fill(static_cast<std::byte>(agent));
       endpoints.place(guid.prefix, AgentId{agent});
       const EndpointIndex index = endpoints.learn(
