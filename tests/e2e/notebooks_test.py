@@ -75,7 +75,7 @@ class Notebooks(unittest.TestCase):
 
     def test_learning_gives_the_same_curve_beside_busy_loops(self):
         alone = self.learned_curve()
-        with busy_loops(4):
+        with busy_loops(os.cpu_count()):
             self.assertEqual(self.learned_curve(), alone)
         self.assertIn("(5, 3)", alone)
         self.assertEqual(alone.split()[-2:], ["True", "True"])  # it has intervals, and is not the same everywhere
