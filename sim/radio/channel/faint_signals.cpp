@@ -119,6 +119,8 @@ void FaintSignals::add_to(Interference& sum, hal::Time at, hal::Time& until) {
 
 void FaintSignals::add_lasting_to(Interference& sum, hal::Time at) {
   if (asks_) bring_up_to(at);
+  // Asked for when a reception begins, which then looks at them several times.
+  if (!asks_ && !signals_.empty()) forget(at);
   for (const FaintSignal& signal : signals_) {
     if (signal.start >= at || signal.end() <= at) continue;
     sum.sum += signal.power;

@@ -120,8 +120,9 @@ class alignas(64) FaintSignals {
 };
 
 // Called for each of hundreds of receivers of a frame; what hardly ever happens is elsewhere.
-inline bool FaintSignals::add(StationIndex from, hal::Time sent, hal::Duration delay,
-                              hal::Duration airtime, double power) {
+[[gnu::always_inline]] inline bool FaintSignals::add(StationIndex from, hal::Time sent,
+                                                     hal::Duration delay, hal::Duration airtime,
+                                                     double power) {
   if (asks_ || signals_.size() == signals_.capacity()) [[unlikely]] {
     return add_with_care(from, sent, delay, airtime, power);
   }

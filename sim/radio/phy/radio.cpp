@@ -17,6 +17,7 @@ namespace {
 void prefetch_bytes(const void* from, std::size_t size) {
   constexpr std::size_t kCacheLine = 64;
   const auto* const bytes = static_cast<const char*>(from);
+#pragma GCC unroll 16
   for (std::size_t i = 0; i < size; i += kCacheLine) __builtin_prefetch(bytes + i, 1);
 }
 
