@@ -30,7 +30,8 @@ bool EventQueue::is_pending(EventId id) const {
   return id.generation != 0 && slots_.generation(id.slot) == id.generation;
 }
 
-bool EventQueue::cancel(EventId& id) {
+/// Of an id that names an event, which may be over.
+bool EventQueue::cancel_known(EventId& id) {
   const EventId event = std::exchange(id, {});
   if (!is_pending(event)) return false;
   slots_.end_generation(event.slot);

@@ -81,7 +81,7 @@ class EventQueue {
   bool go_on(Time at, Place place);
 
   /// @return false if the event has run, was cancelled, or `id` names none. Clears `id`.
-  bool cancel(EventId& id);
+  bool cancel(EventId& id) { return id.generation != 0 && cancel_known(id); }
 
   /// Whether the event has neither run nor been cancelled.
   bool is_pending(EventId id) const;
@@ -106,6 +106,7 @@ class EventQueue {
 
   EventSlot& claim(Time at, Place place, bool must_destroy, EventId& id);
   void add_counters(AgentId agent);
+  bool cancel_known(EventId& id);
 
   EventSlots slots_;
   FutureEvents events_{slots_};

@@ -57,20 +57,29 @@ void Fingerprint::Cell::add_bytes(const void* data, std::size_t size) {
 }
 
 Fingerprint::Cell& Fingerprint::at(Part part, hal::AgentId agent, hal::Time time) {
-  constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
   const std::int64_t ns = hal::to_ns(time);
-  const std::int64_t second = std::max(ns / kNanosecondsPerSecond, first_open_);
-  if (second - kLateness > first_open_) close_before(second - kLateness);
-  const auto place = static_cast<std::size_t>(second - first_open_);
-  if (place >= open_.size()) open_.resize(place + 1);
-  std::vector<Cell>& cells = open_[place][static_cast<std::size_t>(part)];
-  if (agent.value >= cells.size()) cells.resize(std::max<std::size_t>(agent.value + 1u, largest_));
-  largest_ = std::max(largest_, cells.size());
+  const bool is_recent = recent_ != nullptr && ns >= recent_begin_ && ns - recent_begin_ < kSecond;
+  if (!is_recent) open_second_of(ns);
+  std::vector<Cell>& cells = (*recent_)[static_cast<std::size_t>(part)];
+  if (agent.value >= cells.size()) {
+    cells.resize(std::max<std::size_t>(agent.value + 1u, largest_));
+    largest_ = std::max(largest_, cells.size());
+  }
   Cell& cell = cells[agent.value];
   cell.is_used_ = true;
   cell.since_start_.add(ns);
-  cell.within_second_.add(ns - second * kNanosecondsPerSecond);
+  cell.within_second_.add(ns - recent_begin_);
   return cell;
+}
+
+/// Makes the second to which an observation counts the recent one.
+void Fingerprint::open_second_of(std::int64_t ns) {
+  const std::int64_t second = std::max(ns / kSecond, first_open_);
+  if (second - kLateness > first_open_) close_before(second - kLateness);
+  const auto place = static_cast<std::size_t>(second - first_open_);
+  if (place >= open_.size()) open_.resize(place + 1);
+  recent_ = &open_[place];  // remains where it is until it is closed
+  recent_begin_ = second * kSecond;
 }
 
 void Fingerprint::finish() {
@@ -89,6 +98,7 @@ void Fingerprint::for_each(const Second& second, Visit visit) {
 }
 
 void Fingerprint::close_before(std::int64_t second) {
+  recent_ = nullptr;
   for (; first_open_ < second && !open_.empty(); ++first_open_) {
     const Second closed = std::move(open_.front());
     open_.pop_front();

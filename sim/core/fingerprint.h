@@ -87,6 +87,8 @@ class Fingerprint {
   /// @param sink  gets the rows by second, part, agent; may throw.
   explicit Fingerprint(std::function<void(const Row&)> sink = [](const Row&) {})
       : sink_(std::move(sink)) {}
+  Fingerprint(const Fingerprint&) = delete;
+  Fingerprint& operator=(const Fingerprint&) = delete;
 
   /// Cell to which the values of one observation at `time` are to be added; the time is added here.
   Cell& at(Part part, hal::AgentId agent, hal::Time time);
@@ -100,6 +102,8 @@ class Fingerprint {
   std::uint64_t total() const;
 
  private:
+  static constexpr std::int64_t kSecond = 1'000'000'000;  ///< ns
+
   using Sums = std::array<Hash, kPartCount>;
   template <class T>
   using Table = std::array<std::vector<T>, kPartCount>;  ///< By part and address.
@@ -109,15 +113,18 @@ class Fingerprint {
   template <class Visit>
   static void for_each(const Second& second, Visit visit);
   static void add(Sums& sums, std::int64_t second, const Second& observed);
+  void open_second_of(std::int64_t ns);
   void close_before(std::int64_t second);
   void hand_over(std::int64_t number, const Second& second);
   void end_rows(std::int64_t second);
 
   std::function<void(const Row&)> sink_;
-  std::deque<Second> open_;      ///< Consecutive seconds; empty if nothing was observed.
-  std::int64_t first_open_ = 0;  ///< Number of the first open second.
-  std::size_t largest_ = 0;      ///< Most cells that a part of one second had.
-  Sums sums_;                    ///< Hashes of the seconds passed on.
+  std::deque<Second> open_;        ///< Consecutive seconds; empty if nothing was observed.
+  std::int64_t first_open_ = 0;    ///< Number of the first open second.
+  std::size_t largest_ = 0;        ///< Most cells that a part of one second had.
+  Second* recent_ = nullptr;       ///< That of the last observation; null if it is closed.
+  std::int64_t recent_begin_ = 0;  ///< ns
+  Sums sums_;                      ///< Hashes of the seconds passed on.
   /// Hash of the last second of each part and agent.
   Table<std::optional<std::uint64_t>> last_;
 };
