@@ -132,12 +132,7 @@ void Simulation::State::look_at_the_end(std::optional<hal::Time> until_then) {
 std::vector<Event>& Simulation::State::take_events() {
   taken.clear();
   taken_by_time.clear();
-  std::sort(waiting.begin(), waiting.end());
-  waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
-  for (const hal::AgentId agent : waiting) {
-    agents.at(agent)->core().take_events(taken);
-  }
-  waiting.clear();
+  waiting.take([this](hal::AgentId agent) { agents.at(agent)->core().take_events(taken); });
   std::ranges::move(std::exchange(farewells, {}), std::back_inserter(taken));
   // Already ordered by agent, and by cause for each agent; in a window of time, time comes first.
   const auto earlier = [](const Event& a, const Event& b) { return a.time < b.time; };

@@ -94,7 +94,7 @@ void Simulation::State::kill(hal::AgentId agent) {
   if (!agents.at(agent)->core().is_connected()) return;
   agents.at(agent)->silence(events.now() + config.command_timeout);
   dead.push_back(agent);
-  std::erase(waiting, agent);
+  waiting.erase(agent);
 }
 
 void Simulation::State::place(hal::AgentId agent, const hal::Pose2& pose) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/node/exchange/agent_table.h"
+#include "sim/agents/agent_set.h"
 #include "sim/agents/condition_watch.h"
 #include "sim/agents/controllers.h"
 #include "sim/agents/interfaces.h"
@@ -30,7 +31,7 @@ class SimulatedRobot;
 struct Simulation::State final : hal::node::agent::AgentListener {
   State(const SimulationConfig& config, const std::vector<Observer*>& observers);
 
-  void on_inbox(hal::AgentId agent) override { waiting.push_back(agent); }
+  void on_inbox(hal::AgentId agent) override { waiting.insert(agent); }
   void on_state(hal::AgentId agent, const std::string& state) override;
 
   void start();
@@ -106,7 +107,7 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   MovableWatch movables;
   std::vector<SimulatedRobot*> fed_robots;  ///< Those with batteries, by address.
   Controllers controllers;
-  std::vector<hal::AgentId> waiting;  ///< Agents with events in their inbox; may repeat.
+  AgentSet waiting;  ///< With events in their inbox.
   /// Results of take_events(), kept for their memory: with thousands of events per round,
   /// megabytes.
   std::vector<hal::node::exchange::Event> taken, taken_by_time;
