@@ -80,7 +80,7 @@ void AgentCore::stop() {
   phase_ = Phase::kOver;
 }
 
-Event AgentCore::event(Event::What what) const {
+Event AgentCore::event(Event::What&& what) const {
   Event event;
   event.agent = id();
   event.time = now();
@@ -88,7 +88,7 @@ Event AgentCore::event(Event::What what) const {
   return event;
 }
 
-void AgentCore::add(Event event) {
+void AgentCore::add(Event&& event) {
   if (phase_ == Phase::kWaiting) return early_.push_back(std::move(event));
   if (phase_ != Phase::kDriven) return;
   inbox_.add(std::move(event));

@@ -116,8 +116,8 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   Time now() const { return ports_.timers.now(); }
   bool is_watched(const std::string& topic) const;
   void begin_anew(const Wants& wants);
-  exchange::Event event(exchange::Event::What what) const;
-  void add(exchange::Event event);
+  exchange::Event event(exchange::Event::What&& what) const;
+  void add(exchange::Event&& event);
   bool is_asked_for(std::size_t channel) const { return is_connected() && asked_[channel]; }
   void sample(exchange::Event& control);
   Result<void> take_effect(const exchange::Action& action, Time as_of);

@@ -15,11 +15,48 @@ void move_until(Time until, std::vector<At>& from, std::vector<T>& to) {
   from.erase(from.begin(), rest);
 }
 
+/// Memory of lists that were taken, for the next events of any agent: that of the last list is
+/// likely to be in the cache. One for each thread.
+class SpareLists {
+ public:
+  using List = std::vector<exchange::Event>;
+
+  List take() {
+    List list;
+    if (lists_.empty()) {
+      list.reserve(kFew);
+    } else {
+      list.swap(lists_.back());
+      lists_.pop_back();
+    }
+    return list;
+  }
+
+  void give(List&& list) {
+    if (list.capacity() == 0 || list.capacity() > kMany) return;
+    list.clear();
+    lists_.push_back(std::move(list));
+  }
+
+ private:
+  static constexpr std::size_t kFew = 2, kMany = 32;
+
+  std::vector<List> lists_;
+};
+
+SpareLists& spare_lists() {
+  static thread_local SpareLists lists;
+  return lists;
+}
+
 }  // namespace
 
+void Inbox::add(exchange::Event&& event) {
+  if (events_.capacity() == 0) events_ = spare_lists().take();
+  events_.push_back(std::move(event));
+}
+
 void Inbox::take(std::vector<exchange::Event>& to) {
-  // The vector is freed at the end, so that the next agent's events reuse memory that is in the
-  // cache.
   std::vector<exchange::Event> events = std::exchange(events_, {});
   const auto before = [](const auto& a, const auto& b) {
     return std::pair(a.time, a.cause()) < std::pair(b.time, b.cause());
@@ -32,6 +69,7 @@ void Inbox::take(std::vector<exchange::Event>& to) {
   }
   to.insert(to.end(), std::make_move_iterator(events.begin()),
             std::make_move_iterator(events.end()));
+  spare_lists().give(std::move(events));
 }
 
 void Inbox::move_neighbours(exchange::Event& event) {

@@ -12,7 +12,7 @@ namespace hal::node::agent {
 /// travels with the first event at or after it.
 class Inbox {
  public:
-  void add(exchange::Event event) { events_.push_back(std::move(event)); }
+  void add(exchange::Event&& event);
   void add(Time at, RouteChange change) { routes_.push_back({at, std::move(change)}); }
   void add(Time at, const Neighbour& neighbour) { neighbours_.push_back({at, {neighbour, false}}); }
   void add_lost(Time at, AgentId neighbour) {

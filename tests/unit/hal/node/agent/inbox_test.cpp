@@ -48,6 +48,21 @@ TEST(Inbox, TakenEventsFollowThoseThatAreThere) {
   for (std::uint16_t i = 0; i < 3; ++i) EXPECT_EQ(events[i].agent.value, i + 1);
 }
 
+TEST(Inbox, MemoryIsUsedAgainWithoutWhatWasInIt) {
+  for (std::uint16_t round = 0; round < 100; ++round) {
+    std::vector<Inbox> inboxes(round % 7 + 1u);
+    for (Inbox& inbox : inboxes) {
+      for (std::uint16_t i = 0; i < round; ++i) inbox.add(event(Time{1s}, ControlDue{}, i));
+    }
+    for (Inbox& inbox : inboxes) {
+      const auto events = taken(inbox);
+      ASSERT_EQ(events.size(), round);
+      for (std::uint16_t i = 0; i < round; ++i) EXPECT_EQ(events[i].agent.value, i);
+      EXPECT_TRUE(taken(inbox).empty());
+    }
+  }
+}
+
 TEST(Inbox, OrdersByTimeThenCauseThenArrival) {
   Inbox inbox;
   inbox.add(event(Time{2s}, Start{}, 5));
