@@ -63,6 +63,10 @@ void FrameCounts::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
 void FrameCounts::on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
                                hal::Verdict verdict, double) {
   commits_.see(at);
+  if (frame.transmitter != heard_) {
+    heard_ = frame.transmitter;
+    receptions_.prefetch(heard_);
+  }
   in_the_air_.on_reception(frame, receiver);
   const bool addressed = frame.is_broadcast() || frame.receiver == receiver;
   const int kind = (kind_of(frame) << kClassShift) | (addressed ? 1 << kAddressedBit : 0) |

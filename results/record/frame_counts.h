@@ -44,6 +44,7 @@ class FrameCounts final : public TopicWriter {
   /// Also the packets: both have the same pair of agents, so they are close in memory.
   PairCounts receptions_;
   PairCounts requests_;
+  hal::AgentId heard_{};              ///< Transmitter of the last reception.
   std::vector<std::uint64_t> faint_;  ///< By address of the transmitter.
   FramesInTheAir in_the_air_;
   Commits& commits_;

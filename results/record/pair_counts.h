@@ -26,6 +26,11 @@ class PairCounts {
     if (tables_[first.value].add((std::uint32_t{second.value} << kKindBits) | kind)) ++changed_;
   }
 
+  /// Prefetches counts of this first agent, before several are added.
+  void prefetch(hal::AgentId first) const {
+    if (first.value < tables_.size()) tables_[first.value].prefetch();
+  }
+
   /// Calls write(first, second, kind, count) for each count that has grown since the last call,
   /// ordered by first, second, kind.
   template <class Write>
@@ -98,6 +103,14 @@ class PairCounts {
    public:
     /// @return whether the count has not changed before since it was last taken.
     bool add(std::uint32_t key);
+    /// The first few lines; large tables would push other things out of the cache.
+    void prefetch() const {
+      constexpr std::size_t kPerCacheLine = 64 / sizeof(std::uint64_t);
+      const std::size_t some = std::min(words_.size(), 16 * kPerCacheLine);
+      for (std::size_t i = 0; i < some; i += kPerCacheLine) {
+        __builtin_prefetch(words_.data() + i, 1);
+      }
+    }
     /// Appends the changed counts whose second agents are in the range, and marks them unchanged.
     void take_changes(Seconds range, std::uint16_t first, std::vector<Change>& changes);
 

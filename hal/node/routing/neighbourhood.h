@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "hal/node/routing/ports.h"
@@ -11,6 +12,14 @@ namespace hal::node::routing {
 class Neighbourhood {
  public:
   Neighbourhood(Timers& timers, RoutingObserver& observer) : timers_(timers), observer_(observer) {}
+
+  /// Prefetches what on_heard() looks through.
+  void prefetch() const {
+    constexpr std::size_t kPerCacheLine = 64 / sizeof(Neighbour);
+    for (std::size_t i = 0; i < known_.size(); i += kPerCacheLine) {
+      __builtin_prefetch(known_.data() + i);
+    }
+  }
 
   void on_heard(const Reception& reception) {
     const auto place = std::ranges::lower_bound(known_, reception.from, {}, &Neighbour::id);

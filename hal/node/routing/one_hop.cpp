@@ -91,6 +91,7 @@ void OneHop::send(const Message& message) {
 }
 
 bool OneHop::on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) {
+  neighbourhood_.prefetch();
   auto message = parse_one_hop(bytes, reception.from, self_);
   if (!message) return false;
   neighbourhood_.on_heard(reception);

@@ -44,15 +44,17 @@ void MacBase::hand_up(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
 }
 
 void MacBase::deliver(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
-  if (client_of(frame.ethertype) == nullptr) return;
+  MacClient* const client = client_of(frame.ethertype);
+  if (client == nullptr) return;
+  __builtin_prefetch(client);
   observer_.on_delivered(now(), frame, agent_);
-  deliver(frame.ethertype, {.source = frame.source(),
-                            .destination = frame.destination(),
-                            .payload = frame.payload,
-                            .rssi_dbm = rssi.value,
-                            .snr_db = snr.value,
-                            .ethertype = frame.ethertype,
-                            .group = frame.group});
+  client->on_receive({.source = frame.source(),
+                      .destination = frame.destination(),
+                      .payload = frame.payload,
+                      .rssi_dbm = rssi.value,
+                      .snr_db = snr.value,
+                      .ethertype = frame.ethertype,
+                      .group = frame.group});
 }
 
 void MacBase::deliver(Ethertype ethertype, const MacIndication& indication) {

@@ -137,6 +137,23 @@ TEST(Fingerprint, AnEventMayBeToldLateByTheLongestLatency) {
   EXPECT_EQ(places({now, too_late}), "15 exchange 1+, 16 exchange 1-, 25 air 1+");
 }
 
+TEST(Fingerprint, ObservationsMayAlternateBetweenSeconds) {
+  constexpr int kSeconds = 8;  // all of them open at once
+  const auto air = [](int second) { return value(Part::kAir, 1, Time{second * 1s}, second); };
+  const auto exchange = [](int second) {
+    return value(Part::kExchange, 2, Time{second * 1s + 999'999'999ns}, second);
+  };
+  std::vector<Feed> one_by_one, alternating;
+  for (int i = 0; i < kSeconds; ++i) one_by_one.push_back(air(i));
+  for (int i = 0; i < kSeconds; ++i) one_by_one.push_back(exchange(i));
+  for (int i = 0; i < kSeconds; ++i) {
+    alternating.push_back(air(i));
+    alternating.push_back(exchange(kSeconds - 1 - i));
+  }
+  EXPECT_EQ(total(one_by_one), total(alternating));
+  EXPECT_EQ(rows(one_by_one), rows(alternating));
+}
+
 TEST(Hash, BytesOfEveryLengthDiffer) {
   std::set<std::uint64_t> hashes;
   const std::vector<char> zeros(40, 0);
