@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Scenarios as environments: equal to runs with controllers, equal when repeated, and with the interfaces of others."""
-import importlib
+import importlib.util
 import os
 import resource
 import sys

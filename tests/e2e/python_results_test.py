@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Results in Python: the frames hold what the files hold, and the figures what `baraka report` says."""
-import importlib
+import importlib.util
 import math
 import os
 import pathlib

@@ -56,8 +56,8 @@ class Topics(Case):
 
     def test_list_shows_every_topic_of_a_run_with_its_type(self):
         self.start_run(5)
-        wait_for(lambda: len(self.list()) >= len(TOPICS), timeout=40)
-        self.assertEqual(self.list(), {name: (kind, 1, 0) for name, kind in TOPICS.items()})
+        found = wait_for(lambda: len(topics := self.list()) >= len(TOPICS) and topics, timeout=40)
+        self.assertEqual(found, {name: (kind, 1, 0) for name, kind in TOPICS.items()})
 
     def test_info_tells_the_settings_and_that_somebody_reads(self):
         self.start_run(5)
