@@ -103,7 +103,7 @@ class PairCounts {
    public:
     /// @return whether the count has not changed before since it was last taken.
     bool add(std::uint32_t key);
-    /// The first few lines; large tables would push other things out of the cache.
+    /// Sixteen cache lines at most.
     void prefetch() const {
       constexpr std::size_t kPerCacheLine = 64 / sizeof(std::uint64_t);
       const std::size_t some = std::min(words_.size(), 16 * kPerCacheLine);
