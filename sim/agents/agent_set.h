@@ -30,7 +30,8 @@ class AgentSet {
   void take(Visit visit) {
     for (std::size_t i = 0; i < words_.size(); ++i) {
       for (std::uint64_t word = words_[i]; word != 0; word &= word - 1) {
-        visit(hal::AgentId{static_cast<std::uint16_t>(i * kBits + std::countr_zero(word))});
+        const auto bit = static_cast<std::size_t>(std::countr_zero(word));
+        visit(hal::AgentId{static_cast<std::uint16_t>(i * kBits + bit)});
       }
       words_[i] = 0;
     }
