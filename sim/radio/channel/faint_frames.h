@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,9 +48,9 @@ class FaintFrames {
   /// Adds the last frame to the bounds at the receivers of its links. @param tell  called with each
   /// receiver whose bound reaches its alarm.
   template <class Tell>
-  void raise(std::span<const AskedLinks::Link> links, Tell&& tell) {
+  void raise(std::span<const AskedLink> links, Tell&& tell) {
     Level* const levels = levels_.data();
-    for (const AskedLinks::Link link : links) {
+    for (const AskedLink link : links) {
       Level& level = levels[link.receiver];
       level.bound += link.most;
       if (level.bound >= level.alarm) tell(link.receiver);
@@ -72,6 +74,12 @@ class FaintFrames {
     append(frames_.back(), receiver, signals);
   }
 
+  /// Prefetches what collect() reads of a receiver.
+  void prefetch(StationIndex receiver) const {
+    __builtin_prefetch(&levels_[receiver]);
+    neighbourhood_.prefetch(receiver);
+  }
+
   /// From now on collect() leaves out earlier frames at this receiver.
   void leave_to(StationIndex receiver) { levels_[receiver].first = next_; }
   /// Whether collect() can tell what arrives at the receiver. If not, it must be told of each frame
@@ -89,19 +97,32 @@ class FaintFrames {
     std::uint32_t airtime = 0;  ///< ns
     std::uint32_t order = 0;
   };
-  /// The part of a Frame that is looked at for all of them.
-  struct Where {
-    double x = 0, y = 0;  ///< m
-    hal::Time end{};      ///< At the transmitter.
+  /// The part of some Frames that is looked at for all of them, rounded so that no frame that
+  /// matters is left out.
+  struct Glance {
+    static constexpr std::size_t kFrames = 16;
+    std::array<float, kFrames> x{}, y{};      ///< m
+    std::array<std::int32_t, kFrames> end{};  ///< At the transmitter, steps since `begin_`.
   };
-
+  /// 2^8 ns, so that nine minutes are told apart.
+  static constexpr int kStep = 8;
+  std::int32_t steps(hal::Time time) const {
+    return static_cast<std::int32_t>((time - begin_).count() >> kStep);
+  }
+  std::int32_t& end_of(std::size_t frame) {
+    return glances_[frame / Glance::kFrames].end[frame % Glance::kFrames];
+  }
+  void look(std::size_t frame);
   void append(const Frame& frame, StationIndex receiver, std::vector<FaintSignal>& signals) const;
+  void collect_one(const Frame& frame, StationIndex receiver, hal::Time now,
+                   std::vector<FaintSignal>& signals) const;
   void forget(hal::Time over);
 
   const Neighbourhood& neighbourhood_;
   std::vector<Level> levels_;
   std::vector<Frame> frames_;  ///< In the order of transmission, like the next.
-  std::vector<Where> where_;
+  std::vector<Glance> glances_;
+  hal::Time begin_{};      ///< When frames were last forgotten.
   std::size_t first_ = 0;  ///< Those before it are over.
   std::size_t most_ = 0;   ///< With so many frames, those that are over are forgotten.
   std::uint32_t next_ = 0;

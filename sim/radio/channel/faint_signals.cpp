@@ -20,6 +20,7 @@ bool FaintSignals::add_with_care(StationIndex from, hal::Time sent, hal::Duratio
   if (signals_.size() == signals_.capacity()) make_room(sent);
   append(from, sent, delay, airtime, power);
   if (asks_) {
+    has_added_ = true;
     signals_.back().order = frames_->pass();
     level().bound += power;
     return may_alarm(sent);
@@ -52,6 +53,7 @@ bool FaintSignals::may_alarm(hal::Time now) {
 void FaintSignals::displace(hal::Time now) {
   if (asks_) bring_up_to(now);
   for (FaintSignal& signal : signals_) signal.is_added = true;
+  has_added_ = true;
   frames_->leave_to(self_);
 }
 
@@ -59,12 +61,16 @@ void FaintSignals::displace(hal::Time now) {
 void FaintSignals::bring_up_to(hal::Time now) {
   if (is_kept() || level().asked == frames_->next()) return;
   level().asked = frames_->next();
-  std::erase_if(signals_, [now](const FaintSignal& signal) {
-    return !signal.is_added || signal.end() <= now;
-  });
-  const bool has_added = !signals_.empty();
+  if (has_added_) {
+    std::erase_if(signals_, [now](const FaintSignal& signal) {
+      return !signal.is_added || signal.end() <= now;
+    });
+    has_added_ = !signals_.empty();
+  } else {
+    signals_.clear();
+  }
   frames_->collect(self_, now, signals_);
-  if (has_added) {
+  if (has_added_) {
     std::ranges::sort(signals_, FaintFrames::precedes, &FaintSignal::order);
   }
   add_up();

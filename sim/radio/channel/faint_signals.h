@@ -43,6 +43,7 @@ class alignas(64) FaintSignals {
   void prefetch() const { __builtin_prefetch(signals_.data() + signals_.size(), 1); }
   /// Prefetches the memory that add_to() will read.
   void prefetch_all() const {
+    if (asks_) frames_->prefetch(self_);
     constexpr std::size_t kPerCacheLine = 64 / sizeof(FaintSignal);
     for (std::size_t i = 0; i < signals_.size(); i += kPerCacheLine) {
       __builtin_prefetch(signals_.data() + i);
@@ -116,7 +117,8 @@ class alignas(64) FaintSignals {
   FaintFrames* frames_;
   double bound_ = 0;  ///< If nothing is asked for.
   StationIndex self_;
-  bool asks_;  ///< Frames of stations are asked for; else each is added.
+  bool asks_;               ///< Frames of stations are asked for; else each is added.
+  bool has_added_ = false;  ///< Whether any of the signals may be `is_added`. Known if it asks.
 };
 
 // Called for each of hundreds of receivers of a frame; what hardly ever happens is elsewhere.

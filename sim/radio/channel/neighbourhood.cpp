@@ -113,8 +113,8 @@ void Neighbourhood::part(StationIndex from, StationIndex to) {
   Links& links = links_[from];
   const auto is_it = [to](const auto& link) { return link.receiver == to; };
   std::erase_if(links.faint, is_it);
-  std::erase_if(links.distant, is_it);
   links.asked.erase(to);
+  links.distant.erase(to);
   if (std::erase_if(links.audible, is_it) > 0) sort_by_arrival(links);
 }
 
@@ -167,9 +167,10 @@ Propagation::Arrival Neighbourhood::mean_arrival(const Departure& frame,
   const Station& station = stations_[receiver];
   const hal::Milliwatts sent = station.gain * frame.radiated;
   if (station.max_speed == 0) return propagation_.quick_arrival(sent, frame.site, station.site);
-  Site site = station.site;
-  site.position = positions_.position(site.agent, frame.at);
-  return propagation_.quick_arrival(sent, frame.site, site);
+  const hal::AgentId agent = station.site.agent;
+  const Site then(positions_.position(agent, frame.at), station.site.height, station.site.name,
+                  agent);
+  return propagation_.quick_arrival(sent, frame.site, then);
 }
 
 Neighbourhood::Circle Neighbourhood::around(StationIndex receiver) const {
@@ -177,8 +178,7 @@ Neighbourhood::Circle Neighbourhood::around(StationIndex receiver) const {
   const Station& station = stations_[receiver];
   // The position that is known of a moving station is not older than its way through the margin.
   const double way = station.max_speed > 0 ? margin_ + kLongestFrame * station.max_speed : 0;
-  const double radius = reach_ + way + 1;
-  return {station.site.position.x, station.site.position.y, radius * radius};
+  return {station.site.position.x, station.site.position.y, reach_ + way + 1};
 }
 
 void Neighbourhood::forget(StationIndex transmitter) {

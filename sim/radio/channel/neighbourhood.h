@@ -79,8 +79,15 @@ class Neighbourhood {
   /// At no greater distance, m, in the plane.
   struct Circle {
     double x = 0, y = 0;
-    double radius_squared = 0;
+    double radius = 0;
   };
+  /// Prefetches what is known of a station.
+  void prefetch(StationIndex station) const {
+    const char* const bytes = reinterpret_cast<const char*>(&stations_[station]);
+    __builtin_prefetch(bytes);
+    __builtin_prefetch(bytes + sizeof(Station) - 1);
+  }
+
   /// Contains all antennas of whose present frames a station may notice anything.
   Circle around(StationIndex receiver) const;
   hal::Duration longest_delay() const { return longest_delay_; }
@@ -114,14 +121,14 @@ class Neighbourhood {
   /// @return whether any link has changed.
   template <class OneLink>
   bool follow(StationIndex from, std::vector<OneLink>& links, Propagation::Strength strength);
-  void follow_asked(StationIndex from, AskedLinks& links);
-  void follow_distant(StationIndex from, Links& links);
+  void follow_asked(StationIndex from, CertainLinks<AskedLink>& links);
+  void follow_distant(StationIndex from, CertainLinks<DistantLink>& links);
   void follow_time(StationIndex transmitter);
   struct Certainty {
     float most;
-    AskedLinks::Tick until;
+    Tick until;
   };
-  Certainty certainty(StationIndex from, const AudibleLink& link) const;
+  Certainty certainty(StationIndex from, const AudibleLink& link);
   static void sort_by_arrival(Links& links);
   hal::Time out_of_reach_until(StationIndex from, const AudibleLink& link) const;
   void put(StationIndex from, Links& links, const AudibleLink& link);
@@ -142,6 +149,7 @@ class Neighbourhood {
   std::vector<Links> links_;  ///< One per transmitter.
   /// While links are updated: those that move to another list.
   std::vector<AudibleLink> changed_;
+  Propagation::FaintRange faint_{};  ///< Of the last certainty().
 };
 
 }  // namespace sim::radio

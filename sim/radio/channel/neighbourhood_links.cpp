@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 
 #include "sim/radio/channel/neighbourhood.h"
@@ -16,13 +15,6 @@ void take(AudibleLink& link, const AudibleLink& now) { link = now; }
 void take(FaintLink& link, const AudibleLink& now) {
   link.power = now.arrival.power.value;
   link.delay = static_cast<std::uint32_t>(now.arrival.delay.count());
-}
-
-/// Whether the link is certain not to have changed.
-bool can_wait(const DistantLink& link, hal::Time now) { return now < link.out_of_reach_until; }
-template <class OneLink>
-bool can_wait(const OneLink&, hal::Time) {
-  return false;
 }
 
 /// Not below the power [mW] despite its fewer digits.
@@ -55,7 +47,7 @@ void Neighbourhood::collect(StationIndex transmitter) {
   links.audible.shrink_to_fit();
   links.faint.shrink_to_fit();
   links.asked.shrink();
-  links.distant.shrink_to_fit();
+  links.distant.shrink();
   sort_by_arrival(links);
 }
 
@@ -105,8 +97,7 @@ void Neighbourhood::put(StationIndex from, Links& links, const AudibleLink& link
                             .delay = static_cast<std::uint32_t>(link.arrival.delay.count())});
     case Propagation::Strength::kNothing:
       if (stations_[from].max_speed == 0 && stations_[link.receiver].max_speed == 0) return;
-      links.out_of_reach_until = {};
-      into(links.distant, DistantLink{.receiver = link.receiver, .moves = link.moves});
+      links.distant.insert({.receiver = link.receiver, .moves = link.moves}, Tick{0});
   }
 }
 
@@ -122,12 +113,15 @@ const Links& Neighbourhood::links_from(StationIndex transmitter) {
 /// Updates the links of which an end has moved.
 void Neighbourhood::follow(StationIndex transmitter) {
   Links& links = links_[transmitter];
+  for (const AudibleLink& link : links.audible) prefetch(link.receiver);
+  links.asked.prefetch();
+  links.distant.prefetch();
   changed_.clear();
   const std::size_t heard = links.audible.size();
   const bool moved = follow(transmitter, links.audible, Propagation::Strength::kAudible);
   follow(transmitter, links.faint, Propagation::Strength::kFaint);
   follow_asked(transmitter, links.asked);
-  follow_distant(transmitter, links);
+  follow_distant(transmitter, links.distant);
   for (const AudibleLink& link : changed_) put(transmitter, links, link);
   if (moved || links.audible.size() != heard) sort_by_arrival(links);
 }
@@ -136,9 +130,7 @@ template <class OneLink>
 bool Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
                            Propagation::Strength strength) {
   bool any = false;
-  const hal::Time instant = events_.now();
   std::erase_if(links, [&](OneLink& known) {
-    if (can_wait(known, instant)) return false;
     Station& to = stations_[known.receiver];
     refresh(to);
     // Neither count ever decreases, so an equal sum means that both are equal.
@@ -151,18 +143,14 @@ bool Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
       changed_.push_back(now);
       return true;
     }
-    if constexpr (std::is_same_v<OneLink, DistantLink>) {
-      known.out_of_reach_until = out_of_reach_until(from, now);
-    } else {
-      take(known, now);
-    }
+    take(known, now);
     return false;
   });
   return any;
 }
 
-void Neighbourhood::follow_asked(StationIndex from, AskedLinks& links) {
-  links.renew(AskedLinks::tick(events_.now()), [&](AskedLinks::Link& known, auto& until) {
+void Neighbourhood::follow_asked(StationIndex from, CertainLinks<AskedLink>& links) {
+  links.renew(tick(events_.now()), [&](AskedLink& known, Tick& until) {
     refresh(stations_[known.receiver]);
     const AudibleLink now = link(from, known.receiver);
     if (now.steady.strength != Propagation::Strength::kFaint) {
@@ -178,33 +166,43 @@ void Neighbourhood::follow_asked(StationIndex from, AskedLinks& links) {
 
 /// For how long a faint link certainly remains faint, and how much may arrive meanwhile. The longer
 /// it is, the less the latter says.
-Neighbourhood::Certainty Neighbourhood::certainty(StationIndex from,
-                                                  const AudibleLink& link) const {
+Neighbourhood::Certainty Neighbourhood::certainty(StationIndex from, const AudibleLink& link) {
   constexpr double kRounding = 1e-6;  // m
   constexpr double kShortest = 0.01;  // m
   constexpr double kLongest = 1e6;    // s
   const Station& to = stations_[link.receiver];
   const double speed = stations_[from].max_speed + to.max_speed;
-  if (speed == 0) return {at_least(link.steady.free.value), AskedLinks::kForEver};
+  if (speed == 0) return {at_least(link.steady.free.value), kForEver};
   const hal::Milliwatts sent = to.gain * stations_[from].radiated;
   const double distance = std::sqrt(link.steady.distance_squared);
-  for (double way = distance / 3; way > kShortest; way /= 4) {
+  if (faint_.sent != sent) faint_ = propagation_.faint_range(sent);
+  const double to_border = std::min(distance - faint_.nearest, faint_.farthest - distance);
+  // The range is a law's estimate: it is tried.
+  for (double way = std::min(distance / 3, to_border - kRounding); way > kShortest; way /= 4) {
     const auto near = propagation_.steady_at(sent, distance - way);
     const auto far = propagation_.steady_at(sent, distance + way);
     if (near.strength != link.steady.strength || far.strength != link.steady.strength) continue;
     const double time = std::min((way - kRounding) / speed, kLongest);
-    return {at_least(near.free.value), AskedLinks::tick(events_.now() + hal::from_seconds(time))};
+    return {at_least(near.free.value), tick(events_.now() + hal::from_seconds(time))};
   }
   return {at_least(link.steady.free.value), 0};
 }
 
-void Neighbourhood::follow_distant(StationIndex from, Links& links) {
-  if (events_.now() < links.out_of_reach_until) return;
-  follow(from, links.distant, Propagation::Strength::kNothing);
-  links.out_of_reach_until = hal::Time::max();
-  for (const DistantLink& link : links.distant) {
-    links.out_of_reach_until = std::min(links.out_of_reach_until, link.out_of_reach_until);
-  }
+void Neighbourhood::follow_distant(StationIndex from, CertainLinks<DistantLink>& links) {
+  links.renew(tick(events_.now()), [&](DistantLink& known, Tick& until) {
+    Station& to = stations_[known.receiver];
+    refresh(to);
+    const std::uint32_t moves = stations_[from].moves + to.moves;
+    if (known.moves == moves) return true;
+    known.moves = moves;
+    const AudibleLink now = link(from, known.receiver);
+    if (now.steady.strength != Propagation::Strength::kNothing) {
+      changed_.push_back(now);
+      return false;
+    }
+    until = tick(out_of_reach_until(from, now));
+    return true;
+  });
 }
 
 /// Updates links for the current time, whether or not their ends have moved.

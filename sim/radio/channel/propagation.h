@@ -78,7 +78,8 @@ class Propagation {
 
   /// mean_arrival() of steady(), computed for many. `level` and `blocked` are not set.
   /// @pre falls_with_distance()
-  Arrival quick_arrival(hal::Milliwatts sent, const Site& from, const Site& to) const {
+  [[gnu::always_inline]] Arrival quick_arrival(hal::Milliwatts sent, const Site& from,
+                                               const Site& to) const {
     const Path path(from, to);
     const hal::Milliwatts power = chain_.front()->after(sent, path);
     const hal::Milliwatts most = most_in_time_ * power;
@@ -96,6 +97,15 @@ class Propagation {
 
   /// At no greater distance, m, so much arrives, walls apart.
   double reach(hal::Milliwatts sent, hal::Milliwatts least) const;
+
+  /// Distances, m, between which a signal is faint: estimates, as of reach().
+  struct FaintRange {
+    hal::Milliwatts sent{};
+    double nearest = 0, farthest = 0;
+  };
+  FaintRange faint_range(hal::Milliwatts sent) const {
+    return {sent, reach(sent, audible_), reach(sent, floor_)};
+  }
 
   /// Strong enough to be received.
   bool is_receivable(hal::Milliwatts power) const { return power >= sensitivity_; }
