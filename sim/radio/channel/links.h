@@ -68,8 +68,9 @@ class CertainLinks {
   Tick earliest_of(std::size_t first, std::size_t last) const;
   template <class Renew>
   Tick renew_some(std::size_t first, std::size_t last, Tick now, Renew& renew);
+  /// @return an iterator of links_.
   auto place_of(StationIndex receiver) const {
-    return std::ranges::lower_bound(links_, receiver, {}, &Link::receiver) - links_.begin();
+    return std::ranges::lower_bound(links_, receiver, {}, &Link::receiver);
   }
   void erase_at(std::ptrdiff_t place) {
     until_.erase(until_.begin() + place);
@@ -108,16 +109,15 @@ struct Links {
 template <class Link>
 void CertainLinks<Link>::insert(const Link& link, Tick until) {
   const auto place = place_of(link.receiver);
-  until_.insert(until_.begin() + place, until);
-  links_.insert(links_.begin() + place, link);
+  until_.insert(until_.begin() + (place - links_.begin()), until);
+  links_.insert(place, link);
   earliest_ = std::min(earliest_, until);
 }
 
 template <class Link>
 void CertainLinks<Link>::erase(StationIndex receiver) {
   const auto place = place_of(receiver);
-  if (place == std::ssize(links_) || links_[place].receiver != receiver) return;
-  erase_at(place);
+  if (place != links_.end() && place->receiver == receiver) erase_at(place - links_.begin());
 }
 
 template <class Link>
