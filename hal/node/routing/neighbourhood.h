@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 #include "hal/node/routing/ports.h"
+#include "hal/types/prefetch.h"
 
 namespace hal::node::routing {
 
@@ -14,12 +14,7 @@ class Neighbourhood {
   Neighbourhood(Timers& timers, RoutingObserver& observer) : timers_(timers), observer_(observer) {}
 
   /// Prefetches what on_heard() looks through.
-  void prefetch() const {
-    constexpr std::size_t kPerCacheLine = 64 / sizeof(Neighbour);
-    for (std::size_t i = 0; i < known_.size(); i += kPerCacheLine) {
-      __builtin_prefetch(known_.data() + i);
-    }
-  }
+  void prefetch() const { hal::prefetch(known_); }
 
   void on_heard(const Reception& reception) {
     const auto place = std::ranges::lower_bound(known_, reception.from, {}, &Neighbour::id);

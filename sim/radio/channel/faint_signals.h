@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "hal/types/prefetch.h"
 #include "hal/types/time.h"
 #include "sim/radio/channel/faint_frames.h"
 #include "sim/radio/channel/station_index.h"
@@ -44,10 +45,7 @@ class alignas(64) FaintSignals {
   /// Prefetches the memory that add_to() will read.
   void prefetch_all() const {
     if (asks_) frames_->prefetch(self_);
-    constexpr std::size_t kPerCacheLine = 64 / sizeof(FaintSignal);
-    for (std::size_t i = 0; i < signals_.size(); i += kPerCacheLine) {
-      __builtin_prefetch(signals_.data() + i);
-    }
+    hal::prefetch(signals_);
   }
 
   /// Cuts off the frame that this transmitter began at `sent`: it ends there at `cut`, and here

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "hal/types/prefetch.h"
 #include "hal/types/time.h"
 #include "sim/radio/channel/propagation.h"
 #include "sim/radio/channel/station_index.h"
@@ -49,12 +50,7 @@ class CertainLinks {
   void shrink();
 
   /// Prefetches the memory that renew() will read.
-  void prefetch() const {
-    constexpr std::size_t kPerCacheLine = 64 / sizeof(Tick);
-    for (std::size_t i = 0; i < until_.size(); i += kPerCacheLine) {
-      __builtin_prefetch(until_.data() + i);
-    }
-  }
+  void prefetch() const { hal::prefetch(until_); }
 
   /// Looks at the links that are no longer certain at `now`. @param renew  gets a Link and a Tick
   /// to set; returns whether it is still what it was. The others are removed.

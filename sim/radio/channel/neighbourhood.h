@@ -88,6 +88,9 @@ class Neighbourhood {
     __builtin_prefetch(bytes + sizeof(Station) - 1);
   }
 
+  /// Prefetches what links_from() will look at. Of stations that never move that is little.
+  void prefetch_links(StationIndex transmitter) const;
+
   /// Contains all antennas of whose present frames a station may notice anything.
   Circle around(StationIndex receiver) const;
   hal::Duration longest_delay() const { return longest_delay_; }

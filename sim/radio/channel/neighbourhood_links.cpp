@@ -110,6 +110,17 @@ const Links& Neighbourhood::links_from(StationIndex transmitter) {
   return links_[transmitter];
 }
 
+void Neighbourhood::prefetch_links(StationIndex transmitter) const {
+  const Links& links = links_[transmitter];
+  if (links.is_fixed) return;
+  prefetch(transmitter);
+  hal::prefetch(links.audible);
+  hal::prefetch(links.by_arrival);
+  hal::prefetch(links.asked.all());
+  links.asked.prefetch();
+  links.distant.prefetch();
+}
+
 /// Updates the links of which an end has moved.
 void Neighbourhood::follow(StationIndex transmitter) {
   Links& links = links_[transmitter];

@@ -6,20 +6,13 @@
 
 #include "hal/types/check.h"
 #include "hal/types/math.h"
+#include "hal/types/prefetch.h"
 #include "sim/radio/channel/channel.h"
 #include "sim/radio/channel/random_loss.h"
 #include "sim/radio/phy/known_results.h"
 
 namespace sim::radio {
 namespace {
-
-/// Prefetches `size` bytes from `from` on.
-void prefetch_bytes(const void* from, std::size_t size) {
-  constexpr std::size_t kCacheLine = 64;
-  const auto* const bytes = static_cast<const char*>(from);
-#pragma GCC unroll 16
-  for (std::size_t i = 0; i < size; i += kCacheLine) __builtin_prefetch(bytes + i, 1);
-}
 
 hal::Decibels to_decibels(double ratio) {
   static thread_local KnownResults<std::monostate, 8> logarithms;
@@ -50,15 +43,17 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
   }
 }
 
-void Radio::prefetch() const { prefetch_bytes(this, sizeof *this); }
+void Radio::prefetch() const { hal::prefetch(this, sizeof *this); }
 
 void Radio::prefetch_listener() const {
   // Approximate extent of what a MAC needs for each frame, before and after its RadioListener.
   constexpr std::ptrdiff_t kBefore = 128;
   constexpr std::size_t kMac = 640;
-  prefetch_bytes(reinterpret_cast<const char*>(listener_) - kBefore, kBefore + kMac);
-  prefetch_bytes(signals_.data(), sizeof(Signal));
+  hal::prefetch(reinterpret_cast<const char*>(listener_) - kBefore, kBefore + kMac);
+  hal::prefetch(signals_.data(), sizeof(Signal));
 }
+
+void Radio::expect() const { channel_.expect(index_); }
 
 void Radio::transmit(PpduPtr ppdu) {
   settle();
