@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/types/agent_id.h"
+#include "hal/types/prefetch.h"
 
 namespace results::record {
 
@@ -105,11 +106,8 @@ class PairCounts {
     bool add(std::uint32_t key);
     /// Sixteen cache lines at most.
     void prefetch() const {
-      constexpr std::size_t kPerCacheLine = 64 / sizeof(std::uint64_t);
-      const std::size_t some = std::min(words_.size(), 16 * kPerCacheLine);
-      for (std::size_t i = 0; i < some; i += kPerCacheLine) {
-        __builtin_prefetch(words_.data() + i, 1);
-      }
+      hal::prefetch(words_.data(),
+                    std::min(words_.size() * sizeof(std::uint64_t), 16 * hal::kCacheLine));
     }
     /// Appends the changed counts whose second agents are in the range, and marks them unchanged.
     void take_changes(Seconds range, std::uint16_t first, std::vector<Change>& changes);

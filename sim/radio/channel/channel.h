@@ -35,8 +35,8 @@ class Channel {
   /// The signals that are too weak to be reported to this station's radio.
   FaintSignals& faint_at(StationIndex station) { return faint_[station]; }
 
-  /// This station will soon transmit: prefetches its links.
-  void expect(StationIndex from) const { neighbourhood_.prefetch_links(from); }
+  /// Prefetches the links of a station, which transmit() will need.
+  void prefetch_links(StationIndex from) const { neighbourhood_.prefetch_links(from); }
 
   /// Starts a PPDU now.
   void transmit(Radio& from, const PpduPtr& ppdu);

@@ -18,7 +18,7 @@ LogDistance::LogDistance(const LogDistanceConfig& config)
 hal::Milliwatts LogDistance::after(hal::Milliwatts power, const Path& path) const {
   const double near = at_reference_ * power.value;
   double ratio = path.distance_squared;
-  if (reference_ != 1) ratio /= reference_ * reference_;  // as by 1, but that takes its time
+  if (reference_ != 1) ratio /= reference_ * reference_;  // by 1 it would remain equal
   if (ratio <= 1) return hal::Milliwatts{near};
   return hal::Milliwatts{near / to_the(exponent_, ratio)};
 }

@@ -88,7 +88,8 @@ class Neighbourhood {
     __builtin_prefetch(bytes + sizeof(Station) - 1);
   }
 
-  /// Prefetches what links_from() will look at. Of stations that never move that is little.
+  /// Prefetches what links_from() will look at in search of what has moved; nothing where neither
+  /// the transmitter nor a station in range can move.
   void prefetch_links(StationIndex transmitter) const;
 
   /// Contains all antennas of whose present frames a station may notice anything.

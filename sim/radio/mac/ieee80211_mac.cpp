@@ -46,7 +46,7 @@ Ieee80211Mac::Ieee80211Mac(const Context& context, const DcfConfig& config, Radi
 void Ieee80211Mac::transmit(const MacRequest& request) {
   check(request);
   if (!radio_on()) return report_later(request, hal::Verdict::kRadioOff);
-  radio_.expect();
+  radio_.prefetch_links();
   if (queues() != nullptr && !is_management(request.header.type)) {
     if (!queue({request, agent(), now()})) return report_later(request, hal::Verdict::kQueueFull);
     return serve();

@@ -53,7 +53,7 @@ void Radio::prefetch_listener() const {
   hal::prefetch(signals_.data(), sizeof(Signal));
 }
 
-void Radio::expect() const { channel_.expect(index_); }
+void Radio::prefetch_links() const { channel_.prefetch_links(index_); }
 
 void Radio::transmit(PpduPtr ppdu) {
   settle();

@@ -105,8 +105,8 @@ class Radio {
   /// Starts a PPDU; one that is being received is lost. @pre on, and not transmitting.
   void transmit(PpduPtr ppdu);
 
-  /// transmit() will soon be called: prefetches the links of this station.
-  void expect() const;
+  /// Prefetches the links of this station, which transmit() will need.
+  void prefetch_links() const;
 
   /// Switches the radio; off cuts off its own frame. No callbacks.
   void set_on(bool on);
